@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growing_network.h"
+
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "edge_flips.h"
+#include "ring_topology.h"
+
+namespace neuralmesh {
+namespace {
+
+constexpr int idealValence = 6;
+
+int squared(int x)
+{
+    return x * x;
+}
+
+} // namespace
+
+GrowingNetwork::GrowingNetwork(NeuralMesh& startingMesh, const Box3& bounds,
+                               const GrowthParameters& parameters)
+    : parameters_(parameters), mesh_(startingMesh), grid_(bounds)
+{
+    for (VertexId v = 0; v < mesh_.idBound(); ++v) {
+        lastWin_.push_back(0);
+        if (!mesh_.isLive(v)) {
+            freeSlots_.push_back(v);
+            continue;
+        }
+        grid_.insert(v, mesh_.position(v));
+        counters_.insert(v, 0);
+    }
+    updateDecay();
+}
+
+VertexId GrowingNetwork::findWinner(const Point3& sample)
+{
+    lastWinner_ = grid_.nearest(sample, lastWinner_);
+    return lastWinner_;
+}
+
+void GrowingNetwork::adapt(VertexId winner, const Point3& sample)
+{
+    Point3& position = mesh_.position(winner);
+    position += (sample - position) * parameters_.winnerRate;
+    grid_.move(winner, position);
+
+    // The normals are those before smoothing, taken once for all passes: a pass moves a vertex by
+    // a few per cent of an edge at most.
+    const NeighbourRing& ring = mesh_.ring(winner);
+    ringNormals_.clear();
+    for (const VertexId v : ring)
+        ringNormals_.push_back(normal(v));
+    for (int pass = 0; pass < parameters_.smoothingPasses; ++pass)
+        for (int i = 0; i < ring.size(); ++i)
+            smoothTangentially(ring[i], ringNormals_[static_cast<std::size_t>(i)]);
+    for (const VertexId v : ring)
+        grid_.move(v, mesh_.position(v));
+}
+
+Point3 GrowingNetwork::normal(VertexId v) const
+{
+    const NeighbourRing& ring = mesh_.ring(v);
+    const Point3& centre = mesh_.position(v);
+    Point3 sum(0, 0, 0);
+    Point3 previous = mesh_.position(ring[ring.size() - 1]) - centre;
+    for (const VertexId u : ring) {
+        const Point3 edge = mesh_.position(u) - centre;
+        sum += previous ^ edge;
+        previous = edge;
+    }
+    return sum.Normalize();
+}
+
+void GrowingNetwork::smoothTangentially(VertexId v, const Point3& normal)
+{
+    const NeighbourRing& ring = mesh_.ring(v);
+    Point3 sum(0, 0, 0);
+    for (const VertexId u : ring)
+        sum += mesh_.position(u);
+    const Point3 laplacian = sum / static_cast<Scalar>(ring.size()) - mesh_.position(v);
+    mesh_.position(v) += (laplacian - normal * (laplacian * normal)) * parameters_.smoothingRate;
+}
+
+void GrowingNetwork::countSignal(VertexId winner)
+{
+    ++signals_;
+    lastWin_[winner] = signals_;
+    counters_.add(winner);
+    counters_.decay(decayPerSignal_);
+}
+
+VertexId GrowingNetwork::splitMostActive()
+{
+    const VertexId v = counters_.highest();
+    const int edge = longestEdge(v);
+    const StarSpan span = parameters_.splitRule == SplitRule::paper ? halvingSpan(v, edge)
+                                                                    : balancedSpan(v, edge);
+    const Point3 middle = (mesh_.position(v) + mesh_.position(mesh_.ring(v)[edge])) / 2;
+    const VertexId w = addVertex(mesh_, freeSlots_, middle);
+    split(mesh_, v, span.first, span.last, w);
+    grid_.insert(w, middle);
+    counters_.insert(w, 0);
+    shareCounter(v, w);
+    if (w >= lastWin_.size())
+        lastWin_.resize(static_cast<std::size_t>(w) + 1);
+    lastWin_[w] = signals_;
+    if (parameters_.edgeFlips) {
+        evenValencesAround(mesh_, v);
+        evenValencesAround(mesh_, w);
+    }
+    updateDecay();
+    return w;
+}
+
+int GrowingNetwork::longestEdge(VertexId v) const
+{
+    const NeighbourRing& ring = mesh_.ring(v);
+    int longest = 0;
+    Scalar longestSquared = -1;
+    for (int i = 0; i < ring.size(); ++i) {
+        const Scalar d = (mesh_.position(ring[i]) - mesh_.position(v)).SquaredNorm();
+        if (d > longestSquared) {
+            longest = i;
+            longestSquared = d;
+        }
+    }
+    return longest;
+}
+
+GrowingNetwork::StarSpan GrowingNetwork::halvingSpan(VertexId v, int edge) const
+{
+    const int valence = mesh_.valence(v);
+    const int span = std::max(2, valence / 2);
+    const int before = span / 2;
+    return {(edge - before + valence) % valence, (edge + span - before) % valence};
+}
+
+GrowingNetwork::StarSpan GrowingNetwork::balancedSpan(VertexId v, int edge) const
+{
+    const NeighbourRing& ring = mesh_.ring(v);
+    const int valence = ring.size();
+    StarSpan best{0, 0};
+    std::pair<int, int> least{std::numeric_limits<int>::max(), 0};
+    for (int before = 1; before + 1 < valence; ++before)
+        for (int after = 1; before + after < valence; ++after) {
+            const int span = before + after;
+            const int first = (edge - before + valence) % valence;
+            const int last = (edge + after) % valence;
+            const int spread = squared(span + 2 - idealValence) +
+                               squared(valence - span + 2 - idealValence) +
+                               squared(mesh_.valence(ring[first]) + 1 - idealValence) +
+                               squared(mesh_.valence(ring[last]) + 1 - idealValence);
+            const std::pair<int, int> cost{spread, std::abs(before - after)};
+            if (cost < least) {
+                least = cost;
+                best = {first, last};
+            }
+        }
+    return best;
+}
+
+void GrowingNetwork::shareCounter(VertexId v, VertexId w)
+{
+    const double counter = counters_.value(v);
+    const Scalar areaOfV = voronoiArea(v);
+    const Scalar areaOfW = voronoiArea(w);
+    const Scalar both = areaOfV + areaOfW;
+    const double share = both > 0 ? static_cast<double>(areaOfV / both) : 0.5;
+    counters_.set(v, counter * share);
+    counters_.set(w, counter * (1 - share));
+}
+
+Scalar GrowingNetwork::voronoiArea(VertexId v) const
+{
+    const NeighbourRing& ring = mesh_.ring(v);
+    Scalar sum = 0;
+    for (const VertexId u : ring)
+        sum += (mesh_.position(u) - mesh_.position(v)).Norm();
+    const Scalar averageEdge = sum / static_cast<Scalar>(ring.size());
+    return averageEdge * averageEdge;
+}
+
+bool GrowingNetwork::collapseIsDue() const
+{
+    return signals_ - lastCollapse_ >= static_cast<std::uint64_t>(parameters_.inactivityFactor) *
+                                           static_cast<std::uint64_t>(vertexCount());
+}
+
+bool GrowingNetwork::isInactive(VertexId v) const
+{
+    return signals_ - lastWin_[v] >= static_cast<std::uint64_t>(parameters_.inactivityFactor) *
+                                         static_cast<std::uint64_t>(vertexCount());
+}
+
+int GrowingNetwork::collapseInactive()
+{
+    lastCollapse_ = signals_;
+    std::vector<VertexId> inactive;
+    for (VertexId v = 0; v < mesh_.idBound(); ++v)
+        if (mesh_.isLive(v) && isInactive(v))
+            inactive.push_back(v);
+    int removed = 0;
+    for (const VertexId v : inactive)
+        if (const VertexId into = bestCollapse(v); into != noVertex) {
+            remove(v, into);
+            ++removed;
+        }
+    updateDecay();
+    return removed;
+}
+
+VertexId GrowingNetwork::bestCollapse(VertexId v) const
+{
+    VertexId best = noVertex;
+    int least = std::numeric_limits<int>::max();
+    for (const VertexId u : mesh_.ring(v)) {
+        const OppositeVertices opposite = oppositeVertices(mesh_, v, u);
+        // Equation 9 without its root and factor, which keep the order.
+        const int error = squared(mesh_.valence(v) + mesh_.valence(u) - 10) +
+                          squared(mesh_.valence(opposite.left) - 7) +
+                          squared(mesh_.valence(opposite.right) - 7);
+        if (error < least && canCollapse(mesh_, v, u)) {
+            least = error;
+            best = u;
+        }
+    }
+    return best;
+}
+
+void GrowingNetwork::remove(VertexId v, VertexId into)
+{
+    collapse(mesh_, v, into, freeSlots_);
+    grid_.erase(v);
+    counters_.erase(v);
+}
+
+void GrowingNetwork::updateDecay()
+{
+    decayPerSignal_ = std::pow(parameters_.counterDecay, 1.0 / vertexCount());
+}
+
+} // namespace neuralmesh

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The growing network: steps 2 to 6 of the paper, one public function each.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "growth_parameters.h"
+#include "neural_mesh.h"
+#include "signal_counters.h"
+#include "vertex_grid.h"
+
+namespace neuralmesh {
+
+/// Owns the mesh, the nearest-neighbour index of its vertices and their signal counters, and keeps
+/// the three in step.
+class GrowingNetwork {
+public:
+    /// Starts from a closed manifold mesh in the unit frame; `bounds` are those of the samples.
+    GrowingNetwork(NeuralMesh& startingMesh, const Box3& bounds, const GrowthParameters& parameters);
+
+    const NeuralMesh& mesh() const { return mesh_; }
+    int vertexCount() const { return mesh_.vn; }
+    /// Signals counted so far.
+    std::uint64_t signals() const { return signals_; }
+
+    /// Step 2: the vertex nearest to the sample. Fast where the sample is near the last one.
+    VertexId findWinner(const Point3& sample);
+
+    /// Step 3: moves the winner towards the sample (equation 2) and smooths its neighbours within
+    /// their tangent planes (equations 3 to 5).
+    void adapt(VertexId winner, const Point3& sample);
+
+    /// Step 4: counts the signal for the winner and decays all counters (equations 6 and 7).
+    void countSignal(VertexId winner);
+
+    /// Step 5: splits the vertex with the highest counter along its longest edge.
+    VertexId splitMostActive();
+
+    /// Step 6: removes every vertex that has not won in the last μ·n signals by the edge collapse
+    /// with the least regularity error (equation 9). A vertex none of whose edges may collapse
+    /// stays. Returns how many were removed.
+    int collapseInactive();
+
+    /// Whether the next collapseInactive() is due: μ·n signals after the last.
+    bool collapseIsDue() const;
+
+private:
+    struct StarSpan {
+        int first, last; ///< ring places, counter-clockwise
+    };
+
+    Point3 normal(VertexId v) const;
+    void smoothTangentially(VertexId v, const Point3& normal);
+    int longestEdge(VertexId v) const;
+    StarSpan halvingSpan(VertexId v, int edge) const;
+    StarSpan balancedSpan(VertexId v, int edge) const;
+    void shareCounter(VertexId v, VertexId w);
+    Scalar voronoiArea(VertexId v) const;
+    bool isInactive(VertexId v) const;
+    VertexId bestCollapse(VertexId v) const;
+    void remove(VertexId v, VertexId into);
+    void updateDecay();
+
+    GrowthParameters parameters_;
+    NeuralMesh& mesh_;
+    VertexGrid grid_;
+    SignalCounters counters_;
+    std::vector<std::uint64_t> lastWin_; ///< by id: signals_ when the vertex last won or was made
+    std::vector<VertexId> freeSlots_;
+    std::vector<Point3> ringNormals_; ///< scratch of adapt()
+    double decayPerSignal_ = 1;
+    std::uint64_t signals_ = 0;
+    std::uint64_t lastCollapse_ = 0;
+    VertexId lastWinner_ = noVertex;
+};
+
+} // namespace neuralmesh

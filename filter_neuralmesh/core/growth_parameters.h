@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The constants of the algorithm: the paper's, and those that measuring added.
+#pragma once
+
+#include <cstdint>
+
+namespace neuralmesh {
+
+enum class SplitRule {
+    balanced, ///< of all splits along the longest edge, the one that leaves the evenest valences
+    paper     ///< the split that halves the star, as in the paper
+};
+
+struct GrowthParameters {
+    /// Vertices of the result, at least 4.
+    int targetVertexCount = 5000;
+    /// α_w, equation 2: how far the winner moves towards the sample, in (0, 1). Paper: 0.06.
+    double winnerRate = 0.06;
+    /// α_n, equation 5: weight of the tangential smoothing of the winner's neighbours, in (0, 1).
+    /// Paper: 0.05.
+    double smoothingRate = 0.05;
+    /// How often the neighbours are smoothed for each sample, at least 1. Paper: 5.
+    int smoothingPasses = 5;
+    /// λ: signals for each vertex split, at least 1. Paper: 100.
+    int signalsPerSplit = 100;
+    /// μ: a vertex that has not won in the last μ·n signals is removed, at least 1. Paper: 20.
+    int inactivityFactor = 20;
+    /// α, equation 7: factor by which the counters decay while the network of n vertices receives
+    /// n signals, in (0, 1). The paper applies its 0.95 at every signal, which makes a counter
+    /// forget all but the last 20 signals and does not reproduce its Table 1.
+    double counterDecay = 0.995;
+    SplitRule splitRule = SplitRule::balanced;
+    /// Whether edges are flipped after each split where that evens out valences.
+    bool edgeFlips = true;
+    std::uint64_t seed = 1;
+
+    /// Throws InvalidInput, naming the parameter and its range.
+    void validate() const;
+};
+
+} // namespace neuralmesh

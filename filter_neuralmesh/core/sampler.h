@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one interface of all target spaces (P in the paper, a probability distribution in space).
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "neural_mesh.h"
+#include "random.h"
+#include "unit_frame.h"
+
+namespace neuralmesh {
+
+class Sampler {
+public:
+    virtual ~Sampler() = default;
+
+    /// The frame in which samples are given.
+    virtual const UnitFrame& frame() const = 0;
+
+    /// Bounds of the target space, in the unit frame.
+    virtual Box3 bounds() const = 0;
+
+    /// Step 1 of the paper: `count` independent samples of P, in the unit frame, into `samples`.
+    virtual void draw(Random& random, std::size_t count, std::vector<Point3>& samples) const = 0;
+
+    /// How many distinct points the space has; may stop counting at `enough`. A vertex that wins
+    /// needs a point of its own, so no network can hold more vertices.
+    virtual std::size_t countDistinctPoints(std::size_t enough) const { return enough; }
+};
+
+} // namespace neuralmesh

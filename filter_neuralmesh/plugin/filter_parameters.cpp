@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_parameters.h"
+
+#include <random>
+
+#include "core/errors.h"
+
+namespace {
+
+constexpr bool advanced = true;
+
+std::uint64_t readSeed(const RichParameterList& parameters)
+{
+    const int seed = parameters.getInt("RandomSeed");
+    if (seed < 0)
+        throw neuralmesh::InvalidInput("RandomSeed must be 0 (a fresh seed) or positive, not " +
+                                       std::to_string(seed) + ".");
+    if (seed > 0)
+        return static_cast<std::uint64_t>(seed);
+    // Positive and within an int, so that the seed reported can be given back.
+    std::random_device device;
+    return (device() & 0x7ffffffeU) + 1;
+}
+
+void addGrowthParameters(RichParameterList& list)
+{
+    const neuralmesh::GrowthParameters d;
+    const auto real = [](double value) { return static_cast<Scalarm>(value); };
+    list.addParam(RichFloat("WinnerRate", real(d.winnerRate), "Winner rate",
+                            "How far the vertex nearest to a sample moves towards it, as a share "
+                            "of the distance (the paper's alpha_w). Between 0 and 1.",
+                            advanced));
+    list.addParam(RichFloat("SmoothingRate", real(d.smoothingRate), "Smoothing rate",
+                            "Share of the tangential Laplacian by which the winner's neighbours "
+                            "move in each pass (the paper's alpha_n). Between 0 and 1.",
+                            advanced));
+    list.addParam(RichInt("SmoothingPasses", d.smoothingPasses, "Smoothing passes",
+                          "How often the winner's neighbours are smoothed for each sample. At "
+                          "least 1.",
+                          advanced));
+    list.addParam(RichInt("SignalsPerSplit", d.signalsPerSplit, "Signals per split",
+                          "Samples for each new vertex (the paper's lambda): more take longer and "
+                          "settle the mesh better. At least 1.",
+                          advanced));
+    list.addParam(RichInt("InactivityFactor", d.inactivityFactor, "Inactivity factor",
+                          "A vertex that was nearest to none of the last mu times n samples, n "
+                          "being the number of vertices, is removed (the paper's mu). At least 1.",
+                          advanced));
+    list.addParam(RichFloat("CounterDecay", real(d.counterDecay), "Counter decay",
+                            "Factor by which the signal counters fade while the network receives "
+                            "as many samples as it has vertices. Between 0 and 1; near 1 is a "
+                            "long memory.",
+                            advanced));
+    list.addParam(RichEnum("SplitRule", static_cast<int>(d.splitRule),
+                           {"Balanced valences", "As in the paper"}, "Split rule",
+                           "How the star of a vertex is divided when it is split along its longest "
+                           "edge: so that valences come out even, or in halves.",
+                           advanced));
+    list.addParam(RichBool("EdgeFlips", d.edgeFlips, "Edge flips",
+                           "Flips edges after each split where that evens out the valences and "
+                           "neither folds the surface nor loses a crease.",
+                           advanced));
+}
+
+} // namespace
+
+RichParameterList reconstructionParameters()
+{
+    const neuralmesh::GrowthParameters d;
+    RichParameterList list;
+    list.addParam(RichInt("TargetVertNum", d.targetVertexCount, "Target number of vertices",
+                          "Exact number of vertices of the result, at least 4 and at most the "
+                          "number of distinct input points. A closed mesh of genus 0 has twice as "
+                          "many faces, less 4."));
+    list.addParam(RichInt("RandomSeed", static_cast<int>(d.seed), "Random seed",
+                          "The same seed gives the same mesh. 0 takes a fresh seed and reports "
+                          "it."));
+    addGrowthParameters(list);
+    return list;
+}
+
+neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList& parameters)
+{
+    neuralmesh::GrowthParameters growth;
+    growth.targetVertexCount = parameters.getInt("TargetVertNum");
+    growth.winnerRate = parameters.getFloat("WinnerRate");
+    growth.smoothingRate = parameters.getFloat("SmoothingRate");
+    growth.smoothingPasses = parameters.getInt("SmoothingPasses");
+    growth.signalsPerSplit = parameters.getInt("SignalsPerSplit");
+    growth.inactivityFactor = parameters.getInt("InactivityFactor");
+    growth.counterDecay = parameters.getFloat("CounterDecay");
+    growth.splitRule = static_cast<neuralmesh::SplitRule>(parameters.getEnum("SplitRule"));
+    growth.edgeFlips = parameters.getBool("EdgeFlips");
+    growth.seed = readSeed(parameters);
+    return growth;
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one place where parameters of the core meet parameters of the host.
+#pragma once
+
+#include <common/parameters/rich_parameter_list.h>
+
+#include "core/growth_parameters.h"
+
+/// What the filter's dialog and scripts offer, with the core's defaults.
+RichParameterList reconstructionParameters();
+
+/// The core's parameters, not validated yet. A RandomSeed of 0 becomes a fresh positive seed.
+/// Throws InvalidInput for a negative RandomSeed.
+neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList& parameters);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the filter tells its user about a reconstruction: returned values and the line in the log.
+#pragma once
+
+#include <QVariant>
+#include <map>
+#include <string>
+
+#include "core/growth.h"
+
+struct Reconstruction {
+    neuralmesh::NeuralMesh mesh;
+    neuralmesh::GrowthReport growth;
+    std::uint64_t seed = 0;
+    double seconds = 0;
+};
+
+/// The values returned to scripts, with the names of the interface. Only types that PyMeshLab
+/// passes on: int, bool, double and vectors.
+std::map<std::string, QVariant> resultValues(const Reconstruction& result);
+
+/// Plain text: figures, and why growth stopped where it did not reach its target.
+std::string summary(const Reconstruction& result);

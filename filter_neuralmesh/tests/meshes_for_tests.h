@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small meshes and point sets that the tests share.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/neural_mesh.h"
+#include "core/random.h"
+#include "core/ring_topology.h"
+#include "core/starting_mesh.h"
+
+namespace neuralmesh::test {
+
+using Triangle = std::array<VertexId, 3>;
+
+/// Builds the rings of a closed oriented mesh from its faces.
+inline void makeMesh(NeuralMesh& mesh, const std::vector<Point3>& points,
+                     const std::vector<Triangle>& faces)
+{
+    std::vector<VertexId> noFreeSlots;
+    mesh.Clear();
+    for (const Point3& point : points)
+        addVertex(mesh, noFreeSlots, point);
+    for (VertexId v = 0; v < points.size(); ++v) {
+        // successor[a] = b for each face (v, a, b)
+        std::vector<VertexId> successor(points.size(), noVertex);
+        VertexId first = noVertex;
+        for (const Triangle& face : faces)
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                if (face[corner] == v) {
+                    first = face[(corner + 1) % 3];
+                    successor[first] = face[(corner + 2) % 3];
+                }
+        for (VertexId a = first; mesh.valence(v) == 0 || a != first; a = successor[a])
+            mesh.ring(v).pushBack(a);
+    }
+}
+
+/// Corners on the axes: valence 4 everywhere.
+inline void makeOctahedron(NeuralMesh& mesh)
+{
+    makeMesh(mesh, {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+             {{{0, 2, 4}}, {{2, 1, 4}}, {{1, 3, 4}}, {{3, 0, 4}},
+              {{2, 0, 5}}, {{1, 2, 5}}, {{3, 1, 5}}, {{0, 3, 5}}});
+}
+
+/// Two tetrahedra glued at a face, with apexes 3 (above) and 4 (below) of the triangle 0 1 2.
+/// Its edges 0-1, 1-2 and 2-0 lie on a triangle that is no face.
+inline void makeBipyramid(NeuralMesh& mesh)
+{
+    makeMesh(mesh, {{1, 0, 0}, {-0.5, 0.87, 0}, {-0.5, -0.87, 0}, {0, 0, 1}, {0, 0, -1}},
+             {{{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}, {{1, 0, 4}}, {{2, 1, 4}}, {{0, 2, 4}}});
+}
+
+/// A torus of `major` by `minor` quads, each cut in two: valence 6 everywhere, genus 1.
+inline void makeTorus(NeuralMesh& mesh, VertexId major, VertexId minor)
+{
+    std::vector<Point3> points;
+    std::vector<Triangle> faces;
+    for (VertexId i = 0; i < major; ++i)
+        for (VertexId j = 0; j < minor; ++j) {
+            const double a = 2 * M_PI * i / major;
+            const double b = 2 * M_PI * j / minor;
+            points.emplace_back((2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a),
+                                std::sin(b));
+            const VertexId here = i * minor + j;
+            const VertexId right = (i + 1) % major * minor + j;
+            const VertexId up = i * minor + (j + 1) % minor;
+            const VertexId both = (i + 1) % major * minor + (j + 1) % minor;
+            faces.push_back({{here, right, both}});
+            faces.push_back({{here, both, up}});
+        }
+    makeMesh(mesh, points, faces);
+}
+
+/// Points uniform on the unit sphere by area (Archimedes).
+inline std::vector<vcg::Point3d> spherePoints(std::size_t count, std::uint64_t seed)
+{
+    Random random(seed);
+    std::vector<vcg::Point3d> points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double z = 2 * random.unit() - 1;
+        const double angle = 2 * M_PI * random.unit();
+        const double r = std::sqrt(1 - z * z);
+        points.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+    }
+    return points;
+}
+
+} // namespace neuralmesh::test
