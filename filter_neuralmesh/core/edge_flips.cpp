@@ -18,23 +18,23 @@ constexpr Scalar goodAngleCosine = 0.866;
 constexpr Scalar leastAngleGain = 1e-6;
 
 struct Triangle {
-    const Point3& a;
-    const Point3& b;
-    const Point3& c;
+    const Point3 &a;
+    const Point3 &b;
+    const Point3 &c;
 };
 
-Point3 unitNormal(const Triangle& t)
+Point3 unitNormal(const Triangle &t)
 {
     return ((t.b - t.a) ^ (t.c - t.a)).Normalize();
 }
 
-Scalar cosineAt(const Point3& corner, const Point3& left, const Point3& right)
+Scalar cosineAt(const Point3 &corner, const Point3 &left, const Point3 &right)
 {
     return (left - corner).Normalize() * (right - corner).Normalize();
 }
 
 /// Cosine of the smallest angle.
-Scalar cosineOfSmallestAngle(const Triangle& t)
+Scalar cosineOfSmallestAngle(const Triangle &t)
 {
     return std::max({cosineAt(t.a, t.b, t.c), cosineAt(t.b, t.c, t.a), cosineAt(t.c, t.a, t.b)});
 }
@@ -49,23 +49,23 @@ struct FacePair {
     }
 };
 
-FacePair facesNow(const NeuralMesh& mesh, VertexId v, VertexId u)
+FacePair facesNow(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     const OppositeVertices opposite = oppositeVertices(mesh, v, u);
-    const Point3& a = mesh.position(v);
-    const Point3& b = mesh.position(u);
+    const Point3 &a = mesh.position(v);
+    const Point3 &b = mesh.position(u);
     return {{a, b, mesh.position(opposite.left)}, {b, a, mesh.position(opposite.right)}};
 }
 
-FacePair facesWhenFlipped(const NeuralMesh& mesh, VertexId v, VertexId u)
+FacePair facesWhenFlipped(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     const OppositeVertices opposite = oppositeVertices(mesh, v, u);
-    const Point3& left = mesh.position(opposite.left);
-    const Point3& right = mesh.position(opposite.right);
+    const Point3 &left = mesh.position(opposite.left);
+    const Point3 &right = mesh.position(opposite.right);
     return {{mesh.position(v), right, left}, {mesh.position(u), left, right}};
 }
 
-bool flipImproves(const NeuralMesh& mesh, VertexId v, VertexId u)
+bool flipImproves(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     const int gain = valenceGain(mesh, v, u);
     if (gain != 0)
@@ -76,7 +76,7 @@ bool flipImproves(const NeuralMesh& mesh, VertexId v, VertexId u)
 
 } // namespace
 
-int valenceGain(const NeuralMesh& mesh, VertexId v, VertexId u)
+int valenceGain(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     // Both ends lose one and both opposite vertices win one; the squares cancel to this.
     const OppositeVertices opposite = oppositeVertices(mesh, v, u);
@@ -85,7 +85,7 @@ int valenceGain(const NeuralMesh& mesh, VertexId v, VertexId u)
            4;
 }
 
-bool flipKeepsSurface(const NeuralMesh& mesh, VertexId v, VertexId u)
+bool flipKeepsSurface(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     const FacePair before = facesNow(mesh, v, u);
     const FacePair after = facesWhenFlipped(mesh, v, u);
@@ -93,14 +93,14 @@ bool flipKeepsSurface(const NeuralMesh& mesh, VertexId v, VertexId u)
     const Point3 normalsAfter[2] = {unitNormal(after.first), unitNormal(after.second)};
     if (normalsBefore[0] * normalsBefore[1] < creaseCosine)
         return false;
-    for (const Point3& old : normalsBefore)
-        for (const Point3& made : normalsAfter)
+    for (const Point3 &old : normalsBefore)
+        for (const Point3 &made : normalsAfter)
             if (!(old * made > foldCosine))
                 return false;
     return after.smallestAngleCosine() < std::max(before.smallestAngleCosine(), goodAngleCosine);
 }
 
-int evenValencesAround(NeuralMesh& mesh, VertexId v)
+int evenValencesAround(NeuralMesh &mesh, VertexId v)
 {
     int flips = 0;
     const auto flipIfBetter = [&](VertexId a, VertexId b) {

@@ -9,7 +9,7 @@ namespace neuralmesh {
 /// The input or a parameter cannot be used. The text is a sentence for the user, in plain text.
 class InvalidInput : public std::runtime_error {
 public:
-    explicit InvalidInput(const std::string& sentence) : std::runtime_error(sentence) {}
+    explicit InvalidInput(const std::string &sentence) : std::runtime_error(sentence) {}
 };
 
 /// The progress callback asked to stop.

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growing_network.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
 #include "edge_flips.h"
 #include "ring_topology.h"
+#include "unsupported_edges.h"
 
 namespace neuralmesh {
 namespace {
 
 constexpr int idealValence = 6;
+
+/// The window of step 6 is that of at least so many vertices. Around the first handful, in a long
+/// target, there may be vertices that win next to nothing: collapsed at once and split again, they
+/// would keep the network a tetrahedron for ever.
+constexpr int fewVertices = 50;
 
 int squared(int x)
 {
@@ -20,8 +27,8 @@ int squared(int x)
 
 } // namespace
 
-GrowingNetwork::GrowingNetwork(NeuralMesh& startingMesh, const Box3& bounds,
-                               const GrowthParameters& parameters)
+GrowingNetwork::GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
+                               const GrowthParameters &parameters)
     : parameters_(parameters), mesh_(startingMesh), grid_(bounds)
 {
     for (VertexId v = 0; v < mesh_.idBound(); ++v) {
@@ -36,21 +43,21 @@ GrowingNetwork::GrowingNetwork(NeuralMesh& startingMesh, const Box3& bounds,
     updateDecay();
 }
 
-VertexId GrowingNetwork::findWinner(const Point3& sample)
+VertexId GrowingNetwork::findWinner(const Point3 &sample)
 {
     lastWinner_ = grid_.nearest(sample, lastWinner_);
     return lastWinner_;
 }
 
-void GrowingNetwork::adapt(VertexId winner, const Point3& sample)
+void GrowingNetwork::adapt(VertexId winner, const Point3 &sample)
 {
-    Point3& position = mesh_.position(winner);
+    Point3 &position = mesh_.position(winner);
     position += (sample - position) * parameters_.winnerRate;
     grid_.move(winner, position);
 
     // The normals are those before smoothing, taken once for all passes: a pass moves a vertex by
     // a few per cent of an edge at most.
-    const NeighbourRing& ring = mesh_.ring(winner);
+    const NeighbourRing &ring = mesh_.ring(winner);
     ringNormals_.clear();
     for (const VertexId v : ring)
         ringNormals_.push_back(normal(v));
@@ -63,8 +70,8 @@ void GrowingNetwork::adapt(VertexId winner, const Point3& sample)
 
 Point3 GrowingNetwork::normal(VertexId v) const
 {
-    const NeighbourRing& ring = mesh_.ring(v);
-    const Point3& centre = mesh_.position(v);
+    const NeighbourRing &ring = mesh_.ring(v);
+    const Point3 &centre = mesh_.position(v);
     Point3 sum(0, 0, 0);
     Point3 previous = mesh_.position(ring[ring.size() - 1]) - centre;
     for (const VertexId u : ring) {
@@ -75,9 +82,9 @@ Point3 GrowingNetwork::normal(VertexId v) const
     return sum.Normalize();
 }
 
-void GrowingNetwork::smoothTangentially(VertexId v, const Point3& normal)
+void GrowingNetwork::smoothTangentially(VertexId v, const Point3 &normal)
 {
-    const NeighbourRing& ring = mesh_.ring(v);
+    const NeighbourRing &ring = mesh_.ring(v);
     Point3 sum(0, 0, 0);
     for (const VertexId u : ring)
         sum += mesh_.position(u);
@@ -97,8 +104,8 @@ VertexId GrowingNetwork::splitMostActive()
 {
     const VertexId v = counters_.highest();
     const int edge = longestEdge(v);
-    const StarSpan span = parameters_.splitRule == SplitRule::paper ? halvingSpan(v, edge)
-                                                                    : balancedSpan(v, edge);
+    const StarSpan span =
+        parameters_.splitRule == SplitRule::paper ? halvingSpan(v, edge) : balancedSpan(v, edge);
     const Point3 middle = (mesh_.position(v) + mesh_.position(mesh_.ring(v)[edge])) / 2;
     const VertexId w = addVertex(mesh_, freeSlots_, middle);
     split(mesh_, v, span.first, span.last, w);
@@ -118,12 +125,12 @@ VertexId GrowingNetwork::splitMostActive()
 
 int GrowingNetwork::longestEdge(VertexId v) const
 {
-    const NeighbourRing& ring = mesh_.ring(v);
+    const NeighbourRing &ring = mesh_.ring(v);
     int longest = 0;
     Scalar longestSquared = -1;
     for (int i = 0; i < ring.size(); ++i) {
         const Scalar d = (mesh_.position(ring[i]) - mesh_.position(v)).SquaredNorm();
-        if (d > longestSquared) {
+        if (d > longestSquared && (longestSquared < 0 || !isUnsupported(mesh_, v, ring[i]))) {
             longest = i;
             longestSquared = d;
         }
@@ -141,7 +148,7 @@ GrowingNetwork::StarSpan GrowingNetwork::halvingSpan(VertexId v, int edge) const
 
 GrowingNetwork::StarSpan GrowingNetwork::balancedSpan(VertexId v, int edge) const
 {
-    const NeighbourRing& ring = mesh_.ring(v);
+    const NeighbourRing &ring = mesh_.ring(v);
     const int valence = ring.size();
     StarSpan best{0, 0};
     std::pair<int, int> least{std::numeric_limits<int>::max(), 0};
@@ -176,7 +183,7 @@ void GrowingNetwork::shareCounter(VertexId v, VertexId w)
 
 Scalar GrowingNetwork::voronoiArea(VertexId v) const
 {
-    const NeighbourRing& ring = mesh_.ring(v);
+    const NeighbourRing &ring = mesh_.ring(v);
     Scalar sum = 0;
     for (const VertexId u : ring)
         sum += (mesh_.position(u) - mesh_.position(v)).Norm();
@@ -184,16 +191,21 @@ Scalar GrowingNetwork::voronoiArea(VertexId v) const
     return averageEdge * averageEdge;
 }
 
+std::uint64_t GrowingNetwork::inactivityWindow() const
+{
+    const int vertices = std::max(vertexCount(), fewVertices);
+    return static_cast<std::uint64_t>(parameters_.inactivityFactor) *
+           static_cast<std::uint64_t>(vertices);
+}
+
 bool GrowingNetwork::collapseIsDue() const
 {
-    return signals_ - lastCollapse_ >= static_cast<std::uint64_t>(parameters_.inactivityFactor) *
-                                           static_cast<std::uint64_t>(vertexCount());
+    return signals_ - lastCollapse_ >= inactivityWindow();
 }
 
 bool GrowingNetwork::isInactive(VertexId v) const
 {
-    return signals_ - lastWin_[v] >= static_cast<std::uint64_t>(parameters_.inactivityFactor) *
-                                         static_cast<std::uint64_t>(vertexCount());
+    return signals_ - lastWin_[v] >= inactivityWindow();
 }
 
 int GrowingNetwork::collapseInactive()
@@ -209,6 +221,7 @@ int GrowingNetwork::collapseInactive()
             remove(v, into);
             ++removed;
         }
+    retractWebs(mesh_);
     updateDecay();
     return removed;
 }

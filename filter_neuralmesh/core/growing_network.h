@@ -17,19 +17,20 @@ namespace neuralmesh {
 class GrowingNetwork {
 public:
     /// Starts from a closed manifold mesh in the unit frame; `bounds` are those of the samples.
-    GrowingNetwork(NeuralMesh& startingMesh, const Box3& bounds, const GrowthParameters& parameters);
+    GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
+                   const GrowthParameters &parameters);
 
-    const NeuralMesh& mesh() const { return mesh_; }
+    const NeuralMesh &mesh() const { return mesh_; }
     int vertexCount() const { return mesh_.vn; }
     /// Signals counted so far.
     std::uint64_t signals() const { return signals_; }
 
     /// Step 2: the vertex nearest to the sample. Fast where the sample is near the last one.
-    VertexId findWinner(const Point3& sample);
+    VertexId findWinner(const Point3 &sample);
 
     /// Step 3: moves the winner towards the sample (equation 2) and smooths its neighbours within
     /// their tangent planes (equations 3 to 5).
-    void adapt(VertexId winner, const Point3& sample);
+    void adapt(VertexId winner, const Point3 &sample);
 
     /// Step 4: counts the signal for the winner and decays all counters (equations 6 and 7).
     void countSignal(VertexId winner);
@@ -42,6 +43,9 @@ public:
     /// stays. Returns how many were removed.
     int collapseInactive();
 
+    /// μ·n signals: a vertex that wins none of so many is inactive.
+    std::uint64_t inactivityWindow() const;
+
     /// Whether the next collapseInactive() is due: μ·n signals after the last.
     bool collapseIsDue() const;
 
@@ -51,7 +55,7 @@ private:
     };
 
     Point3 normal(VertexId v) const;
-    void smoothTangentially(VertexId v, const Point3& normal);
+    void smoothTangentially(VertexId v, const Point3 &normal);
     int longestEdge(VertexId v) const;
     StarSpan halvingSpan(VertexId v, int edge) const;
     StarSpan balancedSpan(VertexId v, int edge) const;
@@ -63,7 +67,7 @@ private:
     void updateDecay();
 
     GrowthParameters parameters_;
-    NeuralMesh& mesh_;
+    NeuralMesh &mesh_;
     VertexGrid grid_;
     SignalCounters counters_;
     std::vector<std::uint64_t> lastWin_; ///< by id: signals_ when the vertex last won or was made

@@ -17,8 +17,8 @@ namespace {
 /// cache, smaller ones let counters steer each split sooner.
 constexpr double batchPerVertex = 0.5;
 
-/// Circumradius of the starting tetrahedron, in diagonals of the target's bounding box.
-constexpr Scalar startingRadius = 0.1;
+/// Samples from which the starting tetrahedron takes its place and shape.
+constexpr std::size_t startingSamples = 1000;
 
 /// Signals between two calls of the progress callback.
 constexpr std::size_t signalsPerReport = 10000;
@@ -31,11 +31,10 @@ constexpr int stagnationPeriods = 5;
 
 class Growth {
 public:
-    Growth(NeuralMesh& mesh, const Sampler& sampler, const GrowthParameters& parameters,
-           const Progress& progress)
-        : parameters_(parameters), sampler_(sampler), progress_(progress),
-          network_(mesh, sampler.bounds(), parameters), random_(parameters.seed),
-          order_(sampler.bounds())
+    Growth(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
+           Random &random, const Progress &progress)
+        : parameters_(parameters), sampler_(sampler), progress_(progress), random_(random),
+          network_(mesh, sampler.bounds(), parameters), order_(sampler.bounds())
     {
     }
 
@@ -91,8 +90,7 @@ private:
             countAtCheck_ = count;
             signalsAtCheck_ = network_.signals();
         }
-        const auto period = static_cast<std::uint64_t>(count) *
-                            static_cast<std::uint64_t>(parameters_.inactivityFactor);
+        const std::uint64_t period = network_.inactivityWindow();
         const auto nominal = static_cast<std::uint64_t>(countAtCheck_ * leastGain + 1) *
                              static_cast<std::uint64_t>(parameters_.signalsPerSplit);
         return network_.signals() - signalsAtCheck_ > stagnationPeriods * period + 2 * nominal;
@@ -106,11 +104,11 @@ private:
                "Growing the network");
     }
 
-    const GrowthParameters& parameters_;
-    const Sampler& sampler_;
-    const Progress& progress_;
+    const GrowthParameters &parameters_;
+    const Sampler &sampler_;
+    const Progress &progress_;
+    Random &random_;
     GrowingNetwork network_;
-    Random random_;
     MortonOrder order_;
     std::vector<Point3> batch_;
     GrowthReport report_;
@@ -118,7 +116,7 @@ private:
     std::uint64_t signalsAtCheck_ = 0;
 };
 
-void requireEnoughPoints(const Sampler& sampler, int target)
+void requireEnoughPoints(const Sampler &sampler, int target)
 {
     const auto wanted = static_cast<std::size_t>(target);
     const std::size_t distinct = sampler.countDistinctPoints(wanted);
@@ -131,13 +129,16 @@ void requireEnoughPoints(const Sampler& sampler, int target)
 
 } // namespace
 
-GrowthReport grow(NeuralMesh& mesh, const Sampler& sampler, const GrowthParameters& parameters,
-                  const Progress& progress)
+GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
+                  const Progress &progress)
 {
     parameters.validate();
     requireEnoughPoints(sampler, parameters.targetVertexCount);
-    makeTetrahedron(mesh, sampler.bounds().Center(), startingRadius);
-    const GrowthReport report = Growth(mesh, sampler, parameters, progress).run();
+    Random random(parameters.seed);
+    std::vector<Point3> samples;
+    sampler.draw(random, startingSamples, samples);
+    makeTetrahedronIn(mesh, samples);
+    const GrowthReport report = Growth(mesh, sampler, parameters, random, progress).run();
     if (signedVolume(mesh) < 0)
         reverseOrientation(mesh);
     rebuildFaces(mesh);

@@ -29,7 +29,7 @@ struct GrowthReport {
 ///
 /// Throws InvalidInput for parameters out of range and a target above the number of distinct
 /// points, Cancelled when `progress` returns false.
-GrowthReport grow(NeuralMesh& mesh, const Sampler& sampler, const GrowthParameters& parameters,
-                  const Progress& progress = {});
+GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
+                  const Progress &progress = {});
 
 } // namespace neuralmesh

@@ -8,14 +8,14 @@
 namespace neuralmesh {
 namespace {
 
-void requireRate(const char* name, double value)
+void requireRate(const char *name, double value)
 {
     // Written so that NaN is refused too.
     if (!(value > 0 && value < 1))
         throw InvalidInput(std::string(name) + " must lie between 0 and 1, both excluded.");
 }
 
-void requireAtLeast(const char* name, int value, int least)
+void requireAtLeast(const char *name, int value, int least)
 {
     if (value < least)
         throw InvalidInput(std::string(name) + " must be at least " + std::to_string(least) +

@@ -7,15 +7,15 @@
 namespace neuralmesh {
 namespace {
 
-std::string describe(const char* what, VertexId v, VertexId u)
+std::string describe(const char *what, VertexId v, VertexId u)
 {
     return std::string(what) + " (vertices " + std::to_string(v) + " and " + std::to_string(u) +
            ")";
 }
 
-std::string findDefectAt(const NeuralMesh& mesh, VertexId v)
+std::string findDefectAt(const NeuralMesh &mesh, VertexId v)
 {
-    const NeighbourRing& ring = mesh.ring(v);
+    const NeighbourRing &ring = mesh.ring(v);
     if (ring.size() < 3)
         return describe("a vertex has fewer than three neighbours", v, v);
     if (std::set<VertexId>(ring.begin(), ring.end()).size() !=
@@ -28,7 +28,7 @@ std::string findDefectAt(const NeuralMesh& mesh, VertexId v)
             return describe("a vertex is its own neighbour", v, v);
         if (!mesh.isLive(a))
             return describe("a ring names a removed vertex", v, a);
-        const NeighbourRing& other = mesh.ring(a);
+        const NeighbourRing &other = mesh.ring(a);
         const int place = other.find(b);
         if (place < 0 || other[other.next(place)] != v)
             return describe("a face is not the same seen from two of its corners", v, a);
@@ -38,7 +38,7 @@ std::string findDefectAt(const NeuralMesh& mesh, VertexId v)
 
 } // namespace
 
-std::string findDefect(const NeuralMesh& mesh)
+std::string findDefect(const NeuralMesh &mesh)
 {
     int live = 0;
     for (VertexId v = 0; v < mesh.idBound(); ++v) {
@@ -54,13 +54,13 @@ std::string findDefect(const NeuralMesh& mesh)
     return live == mesh.vn ? std::string() : "the vertex count is wrong";
 }
 
-void validate(const NeuralMesh& mesh)
+void validate(const NeuralMesh &mesh)
 {
     if (const std::string defect = findDefect(mesh); !defect.empty())
         throw std::logic_error("The network is broken: " + defect + ".");
 }
 
-TopologyFigures measureTopology(const NeuralMesh& mesh)
+TopologyFigures measureTopology(const NeuralMesh &mesh)
 {
     TopologyFigures figures;
     int corners = 0;
@@ -90,7 +90,7 @@ TopologyFigures measureTopology(const NeuralMesh& mesh)
     return figures;
 }
 
-std::vector<int> valenceHistogram(const NeuralMesh& mesh)
+std::vector<int> valenceHistogram(const NeuralMesh &mesh)
 {
     std::vector<int> histogram;
     for (VertexId v = 0; v < mesh.idBound(); ++v) {
@@ -104,11 +104,11 @@ std::vector<int> valenceHistogram(const NeuralMesh& mesh)
     return histogram;
 }
 
-double signedVolume(const NeuralMesh& mesh)
+double signedVolume(const NeuralMesh &mesh)
 {
     double volume = 0;
     for (VertexId v = 0; v < mesh.idBound(); ++v) {
-        const NeighbourRing& ring = mesh.ring(v);
+        const NeighbourRing &ring = mesh.ring(v);
         for (int i = 0; i < ring.size(); ++i) {
             const VertexId a = ring[i];
             const VertexId b = ring[ring.next(i)];

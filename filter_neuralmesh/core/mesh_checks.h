@@ -12,10 +12,10 @@ namespace neuralmesh {
 /// The first broken invariant in words, or an empty string where the mesh is a closed oriented
 /// two-manifold: every ring has three or more distinct live neighbours, neighbourhood is mutual,
 /// and the two faces at each edge agree on their orientation.
-std::string findDefect(const NeuralMesh& mesh);
+std::string findDefect(const NeuralMesh &mesh);
 
 /// Throws std::logic_error with the first broken invariant.
-void validate(const NeuralMesh& mesh);
+void validate(const NeuralMesh &mesh);
 
 struct TopologyFigures {
     int vertices = 0;
@@ -26,12 +26,12 @@ struct TopologyFigures {
     int genus = 0;
 };
 
-TopologyFigures measureTopology(const NeuralMesh& mesh);
+TopologyFigures measureTopology(const NeuralMesh &mesh);
 
 /// Entry k counts the vertices of valence k.
-std::vector<int> valenceHistogram(const NeuralMesh& mesh);
+std::vector<int> valenceHistogram(const NeuralMesh &mesh);
 
 /// Signed volume inside the mesh: negative where it is turned inside out.
-double signedVolume(const NeuralMesh& mesh);
+double signedVolume(const NeuralMesh &mesh);
 
 } // namespace neuralmesh

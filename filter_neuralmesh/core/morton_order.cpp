@@ -21,14 +21,14 @@ std::uint32_t spreadBits(std::uint32_t x)
 
 } // namespace
 
-MortonOrder::MortonOrder(const Box3& bounds) : origin_(bounds.min)
+MortonOrder::MortonOrder(const Box3 &bounds) : origin_(bounds.min)
 {
     const Point3 extent = bounds.Dim();
     const Scalar widest = std::max({extent.X(), extent.Y(), extent.Z(), Scalar(1e-30)});
     cellsPerUnit_ = static_cast<Scalar>(cellsPerAxis) / widest;
 }
 
-std::uint32_t MortonOrder::key(const Point3& point) const
+std::uint32_t MortonOrder::key(const Point3 &point) const
 {
     std::uint32_t key = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -40,7 +40,7 @@ std::uint32_t MortonOrder::key(const Point3& point) const
     return key;
 }
 
-void MortonOrder::sort(std::vector<Point3>& points)
+void MortonOrder::sort(std::vector<Point3> &points)
 {
     keyed_.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)

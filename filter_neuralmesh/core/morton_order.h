@@ -13,11 +13,11 @@ namespace neuralmesh {
 /// good guess for the next. Points with the same key keep their order.
 class MortonOrder {
 public:
-    explicit MortonOrder(const Box3& bounds);
-    void sort(std::vector<Point3>& points);
+    explicit MortonOrder(const Box3 &bounds);
+    void sort(std::vector<Point3> &points);
 
 private:
-    std::uint32_t key(const Point3& point) const;
+    std::uint32_t key(const Point3 &point) const;
 
     Point3 origin_;
     Scalar cellsPerUnit_;

@@ -15,8 +15,8 @@ using Box3 = vcg::Box3<Scalar>;
 class NeuralVertex;
 class NeuralFace;
 
-struct NeuralTypes : vcg::UsedTypes<vcg::Use<NeuralVertex>::AsVertexType,
-                                    vcg::Use<NeuralFace>::AsFaceType> {};
+struct NeuralTypes
+    : vcg::UsedTypes<vcg::Use<NeuralVertex>::AsVertexType, vcg::Use<NeuralFace>::AsFaceType> {};
 
 class NeuralVertex : public vcg::Vertex<NeuralTypes, vcg::vertex::Coord3d, vcg::vertex::BitFlags,
                                         component::OneRing> {};
@@ -26,13 +26,12 @@ class NeuralVertex : public vcg::Vertex<NeuralTypes, vcg::vertex::Coord3d, vcg::
 class NeuralFace : public vcg::Face<NeuralTypes, vcg::face::VertexRef, vcg::face::Normal3d,
                                     vcg::face::FFAdj, vcg::face::Mark, vcg::face::BitFlags> {};
 
-class NeuralMesh
-    : public vcg::tri::TriMesh<std::vector<NeuralVertex>, std::vector<NeuralFace>> {
+class NeuralMesh : public vcg::tri::TriMesh<std::vector<NeuralVertex>, std::vector<NeuralFace>> {
 public:
-    const Point3& position(VertexId v) const { return vert[v].cP(); }
-    Point3& position(VertexId v) { return vert[v].P(); }
-    const NeighbourRing& ring(VertexId v) const { return vert[v].cR(); }
-    NeighbourRing& ring(VertexId v) { return vert[v].R(); }
+    const Point3 &position(VertexId v) const { return vert[v].cP(); }
+    Point3 &position(VertexId v) { return vert[v].P(); }
+    const NeighbourRing &ring(VertexId v) const { return vert[v].cR(); }
+    NeighbourRing &ring(VertexId v) { return vert[v].R(); }
     int valence(VertexId v) const { return vert[v].cR().size(); }
     bool isLive(VertexId v) const { return v < vert.size() && !vert[v].IsD(); }
 

@@ -24,10 +24,10 @@ public:
     static constexpr int inlineCapacity = 10;
 
     NeighbourRing() = default;
-    NeighbourRing(const NeighbourRing& other) { *this = other; }
-    NeighbourRing(NeighbourRing&&) noexcept = default;
-    NeighbourRing& operator=(NeighbourRing&&) noexcept = default;
-    NeighbourRing& operator=(const NeighbourRing& other)
+    NeighbourRing(const NeighbourRing &other) { *this = other; }
+    NeighbourRing(NeighbourRing &&) noexcept = default;
+    NeighbourRing &operator=(NeighbourRing &&) noexcept = default;
+    NeighbourRing &operator=(const NeighbourRing &other)
     {
         if (this == &other)
             return *this;
@@ -39,8 +39,8 @@ public:
     }
 
     int size() const { return size_; }
-    const VertexId* begin() const { return spill_ ? spill_->data() : inline_; }
-    const VertexId* end() const { return begin() + size_; }
+    const VertexId *begin() const { return spill_ ? spill_->data() : inline_; }
+    const VertexId *end() const { return begin() + size_; }
     VertexId operator[](int i) const
     {
         assert(0 <= i && i < size_);
@@ -55,7 +55,7 @@ public:
     /// Place of a neighbour, or -1.
     int find(VertexId id) const
     {
-        const VertexId* ids = begin();
+        const VertexId *ids = begin();
         for (int i = 0; i < size_; ++i)
             if (ids[i] == id)
                 return i;
@@ -76,7 +76,7 @@ public:
     {
         assert(0 <= place && place <= size_);
         reserve(size_ + 1);
-        VertexId* ids = data();
+        VertexId *ids = data();
         for (int i = size_; i > place; --i)
             ids[i] = ids[i - 1];
         ids[place] = id;
@@ -86,14 +86,14 @@ public:
     void erase(int place)
     {
         assert(0 <= place && place < size_);
-        VertexId* ids = data();
+        VertexId *ids = data();
         for (int i = place; i + 1 < size_; ++i)
             ids[i] = ids[i + 1];
         --size_;
     }
 
 private:
-    VertexId* data() { return spill_ ? spill_->data() : inline_; }
+    VertexId *data() { return spill_ ? spill_->data() : inline_; }
 
     void reserve(int count)
     {
@@ -115,13 +115,13 @@ namespace component {
 /// VCG vertex component: the vertex's neighbour ring, R().
 template <class T> class OneRing : public T {
 public:
-    NeighbourRing& R() { return ring_; }
-    const NeighbourRing& R() const { return ring_; }
-    const NeighbourRing& cR() const { return ring_; }
+    NeighbourRing &R() { return ring_; }
+    const NeighbourRing &R() const { return ring_; }
+    const NeighbourRing &cR() const { return ring_; }
 
-    template <class Other> void ImportData(const Other& other) { T::ImportData(other); }
+    template <class Other> void ImportData(const Other &other) { T::ImportData(other); }
 
-    static void Name(std::vector<std::string>& names)
+    static void Name(std::vector<std::string> &names)
     {
         names.emplace_back("OneRing");
         T::Name(names);

@@ -13,7 +13,7 @@ class Random {
 public:
     explicit Random(std::uint64_t seed)
     {
-        for (std::uint64_t& word : state_) {
+        for (std::uint64_t &word : state_) {
             seed += 0x9e3779b97f4a7c15ULL;
             word = mix(seed);
         }

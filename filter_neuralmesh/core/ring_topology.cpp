@@ -6,22 +6,22 @@
 namespace neuralmesh {
 namespace {
 
-void replaceNeighbour(NeighbourRing& ring, VertexId from, VertexId to)
+void replaceNeighbour(NeighbourRing &ring, VertexId from, VertexId to)
 {
     ring.set(ring.find(from), to);
 }
 
-void insertAfter(NeighbourRing& ring, VertexId place, VertexId id)
+void insertAfter(NeighbourRing &ring, VertexId place, VertexId id)
 {
     ring.insert(ring.find(place) + 1, id);
 }
 
-void eraseNeighbour(NeighbourRing& ring, VertexId id)
+void eraseNeighbour(NeighbourRing &ring, VertexId id)
 {
     ring.erase(ring.find(id));
 }
 
-int commonNeighbours(const NeuralMesh& mesh, VertexId v, VertexId u)
+int commonNeighbours(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     int count = 0;
     for (const VertexId x : mesh.ring(v))
@@ -31,14 +31,14 @@ int commonNeighbours(const NeuralMesh& mesh, VertexId v, VertexId u)
 
 } // namespace
 
-OppositeVertices oppositeVertices(const NeuralMesh& mesh, VertexId v, VertexId u)
+OppositeVertices oppositeVertices(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
-    const NeighbourRing& ring = mesh.ring(v);
+    const NeighbourRing &ring = mesh.ring(v);
     const int place = ring.find(u);
     return {ring[ring.next(place)], ring[ring.previous(place)]};
 }
 
-VertexId addVertex(NeuralMesh& mesh, std::vector<VertexId>& freeSlots, const Point3& position)
+VertexId addVertex(NeuralMesh &mesh, std::vector<VertexId> &freeSlots, const Point3 &position)
 {
     if (freeSlots.empty()) {
         vcg::tri::Allocator<NeuralMesh>::AddVertex(mesh, position);
@@ -52,19 +52,19 @@ VertexId addVertex(NeuralMesh& mesh, std::vector<VertexId>& freeSlots, const Poi
     return id;
 }
 
-bool canCollapse(const NeuralMesh& mesh, VertexId v, VertexId u)
+bool canCollapse(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     return mesh.vn > 4 && mesh.ring(v).contains(u) && commonNeighbours(mesh, v, u) == 2;
 }
 
-void collapse(NeuralMesh& mesh, VertexId v, VertexId u, std::vector<VertexId>& freeSlots)
+void collapse(NeuralMesh &mesh, VertexId v, VertexId u, std::vector<VertexId> &freeSlots)
 {
     // v's ring, from u on: u, left, x1 ... xm, right. u's ring holds left, v, right in a row, and
     // v there gives way to x1 ... xm.
     const NeighbourRing ring = mesh.ring(v);
     const int start = ring.find(u);
     const int valence = ring.size();
-    NeighbourRing& kept = mesh.ring(u);
+    NeighbourRing &kept = mesh.ring(u);
     eraseNeighbour(mesh.ring(ring.at(start + 1)), v);
     eraseNeighbour(mesh.ring(ring.at(start + valence - 1)), v);
     int place = kept.find(v);
@@ -79,11 +79,11 @@ void collapse(NeuralMesh& mesh, VertexId v, VertexId u, std::vector<VertexId>& f
     freeSlots.push_back(v);
 }
 
-void split(NeuralMesh& mesh, VertexId v, int first, int last, VertexId w)
+void split(NeuralMesh &mesh, VertexId v, int first, int last, VertexId w)
 {
     const NeighbourRing ring = mesh.ring(v);
     const int span = (last - first + ring.size()) % ring.size();
-    NeighbourRing& taken = mesh.ring(w);
+    NeighbourRing &taken = mesh.ring(w);
     taken.clear();
     for (int i = 0; i <= span; ++i)
         taken.pushBack(ring.at(first + i));
@@ -91,11 +91,11 @@ void split(NeuralMesh& mesh, VertexId v, int first, int last, VertexId w)
 
     for (int i = 1; i < span; ++i)
         replaceNeighbour(mesh.ring(ring.at(first + i)), v, w);
-    NeighbourRing& firstRing = mesh.ring(ring[first]);
+    NeighbourRing &firstRing = mesh.ring(ring[first]);
     firstRing.insert(firstRing.find(v), w);
     insertAfter(mesh.ring(ring[last]), v, w);
 
-    NeighbourRing& kept = mesh.ring(v);
+    NeighbourRing &kept = mesh.ring(v);
     kept.clear();
     kept.pushBack(ring[first]);
     kept.pushBack(w);
@@ -103,7 +103,7 @@ void split(NeuralMesh& mesh, VertexId v, int first, int last, VertexId w)
         kept.pushBack(ring.at(first + i));
 }
 
-bool canFlip(const NeuralMesh& mesh, VertexId v, VertexId u)
+bool canFlip(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     if (mesh.valence(v) <= 3 || mesh.valence(u) <= 3 || !mesh.ring(v).contains(u))
         return false;
@@ -111,7 +111,7 @@ bool canFlip(const NeuralMesh& mesh, VertexId v, VertexId u)
     return opposite.left != opposite.right && !mesh.ring(opposite.left).contains(opposite.right);
 }
 
-void flip(NeuralMesh& mesh, VertexId v, VertexId u)
+void flip(NeuralMesh &mesh, VertexId v, VertexId u)
 {
     const OppositeVertices opposite = oppositeVertices(mesh, v, u);
     eraseNeighbour(mesh.ring(v), u);
@@ -120,7 +120,7 @@ void flip(NeuralMesh& mesh, VertexId v, VertexId u)
     insertAfter(mesh.ring(opposite.right), u, opposite.left);
 }
 
-void rebuildFaces(NeuralMesh& mesh)
+void rebuildFaces(NeuralMesh &mesh)
 {
     mesh.face.clear();
     mesh.fn = 0;
@@ -130,7 +130,7 @@ void rebuildFaces(NeuralMesh& mesh)
         corners += static_cast<std::size_t>(mesh.valence(v));
     auto face = vcg::tri::Allocator<NeuralMesh>::AddFaces(mesh, corners / 3);
     for (VertexId v = 0; v < bound; ++v) {
-        const NeighbourRing& ring = mesh.ring(v);
+        const NeighbourRing &ring = mesh.ring(v);
         for (int i = 0; i < ring.size(); ++i) {
             const VertexId a = ring[i];
             const VertexId b = ring[ring.next(i)];
@@ -144,10 +144,10 @@ void rebuildFaces(NeuralMesh& mesh)
     }
 }
 
-void reverseOrientation(NeuralMesh& mesh)
+void reverseOrientation(NeuralMesh &mesh)
 {
-    for (NeuralVertex& vertex : mesh.vert) {
-        NeighbourRing& ring = vertex.R();
+    for (NeuralVertex &vertex : mesh.vert) {
+        NeighbourRing &ring = vertex.R();
         for (int i = 0, j = ring.size() - 1; i < j; ++i, --j) {
             const VertexId swapped = ring[i];
             ring.set(i, ring[j]);

@@ -18,38 +18,38 @@ struct OppositeVertices {
 };
 
 /// u must be a neighbour of v.
-OppositeVertices oppositeVertices(const NeuralMesh& mesh, VertexId v, VertexId u);
+OppositeVertices oppositeVertices(const NeuralMesh &mesh, VertexId v, VertexId u);
 
 /// A new vertex without neighbours, in a removed vertex's slot where there is one.
-VertexId addVertex(NeuralMesh& mesh, std::vector<VertexId>& freeSlots, const Point3& position);
+VertexId addVertex(NeuralMesh &mesh, std::vector<VertexId> &freeSlots, const Point3 &position);
 
 /// Whether edge (v, u) may collapse: the link condition (v and u have just their two opposite
 /// vertices in common) and more than four vertices, so that a tetrahedron stays one. False where
 /// v and u are no neighbours.
-bool canCollapse(const NeuralMesh& mesh, VertexId v, VertexId u);
+bool canCollapse(const NeuralMesh &mesh, VertexId v, VertexId u);
 
 /// Removes v by collapsing edge (v, u) into u, whose position stays. Requires canCollapse(v, u).
 /// v's slot is flagged deleted and added to freeSlots.
-void collapse(NeuralMesh& mesh, VertexId v, VertexId u, std::vector<VertexId>& freeSlots);
+void collapse(NeuralMesh &mesh, VertexId v, VertexId u, std::vector<VertexId> &freeSlots);
 
 /// Splits v: the new vertex w, already in the mesh without neighbours, takes the neighbours of v
 /// from ring place `first` to `last` counter-clockwise; both of these become neighbours of both.
 /// Requires first != last. With a span of s steps between them, w gets valence s + 2 and v keeps
 /// valence(v) - s + 2, so v keeps at least 3 where s < valence(v).
-void split(NeuralMesh& mesh, VertexId v, int first, int last, VertexId w);
+void split(NeuralMesh &mesh, VertexId v, int first, int last, VertexId w);
 
 /// Whether edge (v, u) may flip: its opposite vertices are not neighbours already, and v and u
 /// keep valence 3. False where v and u are no neighbours.
-bool canFlip(const NeuralMesh& mesh, VertexId v, VertexId u);
+bool canFlip(const NeuralMesh &mesh, VertexId v, VertexId u);
 
 /// Replaces edge (v, u) by the edge between its opposite vertices. Requires canFlip(v, u).
-void flip(NeuralMesh& mesh, VertexId v, VertexId u);
+void flip(NeuralMesh &mesh, VertexId v, VertexId u);
 
 /// Makes mesh.face from the rings, each face once, its lowest id first. Removed vertices' slots
 /// stay: compact on the way out.
-void rebuildFaces(NeuralMesh& mesh);
+void rebuildFaces(NeuralMesh &mesh);
 
 /// Turns every ring round: the inside becomes the outside.
-void reverseOrientation(NeuralMesh& mesh);
+void reverseOrientation(NeuralMesh &mesh);
 
 } // namespace neuralmesh

@@ -17,13 +17,13 @@ public:
     virtual ~Sampler() = default;
 
     /// The frame in which samples are given.
-    virtual const UnitFrame& frame() const = 0;
+    virtual const UnitFrame &frame() const = 0;
 
     /// Bounds of the target space, in the unit frame.
     virtual Box3 bounds() const = 0;
 
     /// Step 1 of the paper: `count` independent samples of P, in the unit frame, into `samples`.
-    virtual void draw(Random& random, std::size_t count, std::vector<Point3>& samples) const = 0;
+    virtual void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const = 0;
 
     /// How many distinct points the space has; may stop counting at `enough`. A vertex that wins
     /// needs a point of its own, so no network can hold more vertices.

@@ -61,7 +61,7 @@ void SignalCounters::rescale()
 {
     // Dividing by a positive number keeps the order, except that counters too small to be told
     // apart may become equal: then the heap has to be made anew.
-    for (double& stored : stored_)
+    for (double &stored : stored_)
         stored /= unit_;
     unit_ = 1;
     for (auto place = static_cast<Place>(heap_.size() / 2); place-- > 0;)

@@ -2,11 +2,18 @@
 // The mesh that growth starts from (§3 of the paper: a tetrahedron).
 #pragma once
 
+#include <vector>
+
 #include "neural_mesh.h"
 
 namespace neuralmesh {
 
 /// Makes `mesh` a regular tetrahedron with the given centre and circumradius, oriented outwards.
-void makeTetrahedron(NeuralMesh& mesh, const Point3& centre, Scalar circumradius);
+void makeTetrahedron(NeuralMesh &mesh, const Point3 &centre, Scalar circumradius);
+
+/// Makes `mesh` a tetrahedron around the mean of the samples, stretched along their principal axes
+/// to one standard deviation. In a long target a regular one has corners that are nearest to no
+/// sample. Flat directions are given a hundredth of the diagonal.
+void makeTetrahedronIn(NeuralMesh &mesh, const std::vector<Point3> &samples);
 
 } // namespace neuralmesh

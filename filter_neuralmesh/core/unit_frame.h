@@ -13,18 +13,18 @@ public:
     UnitFrame() = default;
 
     /// The frame of a bounding box in world coordinates that is not a single point.
-    explicit UnitFrame(const vcg::Box3d& worldBounds)
+    explicit UnitFrame(const vcg::Box3d &worldBounds)
         : centre_(worldBounds.Center()), diagonal_(worldBounds.Diag())
     {
     }
 
     double diagonal() const { return diagonal_; }
 
-    Point3 toUnit(const vcg::Point3d& world) const
+    Point3 toUnit(const vcg::Point3d &world) const
     {
         return Point3::Construct((world - centre_) / diagonal_);
     }
-    vcg::Point3d toWorld(const Point3& unit) const
+    vcg::Point3d toWorld(const Point3 &unit) const
     {
         return vcg::Point3d::Construct(unit) * diagonal_ + centre_;
     }

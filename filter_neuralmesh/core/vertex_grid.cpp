@@ -26,19 +26,19 @@ double cellsAlong(double extent, double cellSize)
 
 } // namespace
 
-VertexGrid::VertexGrid(const Box3& bounds) : bounds_(bounds)
+VertexGrid::VertexGrid(const Box3 &bounds) : bounds_(bounds)
 {
     layOutCells(1);
 }
 
-VertexGrid::CellCoordinates VertexGrid::coordinates(const Point3& position) const
+VertexGrid::CellCoordinates VertexGrid::coordinates(const Point3 &position) const
 {
     return {clampedCell(position.X(), bounds_.min.X(), cellSize_, cellsX_),
             clampedCell(position.Y(), bounds_.min.Y(), cellSize_, cellsY_),
             clampedCell(position.Z(), bounds_.min.Z(), cellSize_, cellsZ_)};
 }
 
-VertexGrid::CellId VertexGrid::cellAt(const CellCoordinates& c) const
+VertexGrid::CellId VertexGrid::cellAt(const CellCoordinates &c) const
 {
     return static_cast<CellId>((static_cast<std::size_t>(c.z) * static_cast<std::size_t>(cellsY_) +
                                 static_cast<std::size_t>(c.y)) *
@@ -48,7 +48,7 @@ VertexGrid::CellId VertexGrid::cellAt(const CellCoordinates& c) const
 
 void VertexGrid::link(VertexId id, CellId cell)
 {
-    Entry& entry = entries_[id];
+    Entry &entry = entries_[id];
     entry.cell = cell;
     entry.previous = noVertex;
     entry.next = firstInCell_[cell];
@@ -59,7 +59,7 @@ void VertexGrid::link(VertexId id, CellId cell)
 
 void VertexGrid::unlink(VertexId id)
 {
-    const Entry& entry = entries_[id];
+    const Entry &entry = entries_[id];
     if (entry.previous != noVertex)
         entries_[entry.previous].next = entry.next;
     else
@@ -68,7 +68,7 @@ void VertexGrid::unlink(VertexId id)
         entries_[entry.next].previous = entry.previous;
 }
 
-void VertexGrid::insert(VertexId id, const Point3& position)
+void VertexGrid::insert(VertexId id, const Point3 &position)
 {
     assert(!contains(id));
     if (id >= entries_.size())
@@ -79,10 +79,10 @@ void VertexGrid::insert(VertexId id, const Point3& position)
     regridIfNeeded();
 }
 
-void VertexGrid::move(VertexId id, const Point3& position)
+void VertexGrid::move(VertexId id, const Point3 &position)
 {
     assert(contains(id));
-    Entry& entry = entries_[id];
+    Entry &entry = entries_[id];
     entry.position = position;
     const CellId cell = cellAt(coordinates(position));
     if (cell == entry.cell)
@@ -133,7 +133,7 @@ void VertexGrid::layOutCells(std::size_t cellCount)
                         noVertex);
 }
 
-void VertexGrid::improve(CellId cell, const Point3& query, Candidate& best) const
+void VertexGrid::improve(CellId cell, const Point3 &query, Candidate &best) const
 {
     for (VertexId id = firstInCell_[cell]; id != noVertex; id = entries_[id].next) {
         const Scalar d = (entries_[id].position - query).SquaredNorm();
@@ -142,7 +142,7 @@ void VertexGrid::improve(CellId cell, const Point3& query, Candidate& best) cons
     }
 }
 
-VertexGrid::Candidate VertexGrid::anyNearby(const Point3& query) const
+VertexGrid::Candidate VertexGrid::anyNearby(const Point3 &query) const
 {
     // Cubes of cells around the query, one layer further each time until one holds a vertex.
     Candidate best{std::numeric_limits<Scalar>::infinity(), noVertex};
@@ -152,7 +152,8 @@ VertexGrid::Candidate VertexGrid::anyNearby(const Point3& query) const
              ++z)
             for (int y = std::max(0, centre.y - reach);
                  y <= std::min(cellsY_ - 1, centre.y + reach); ++y) {
-                const bool inside = std::abs(z - centre.z) < reach && std::abs(y - centre.y) < reach;
+                const bool inside =
+                    std::abs(z - centre.z) < reach && std::abs(y - centre.y) < reach;
                 const int step = inside ? std::max(1, 2 * reach) : 1;
                 for (int x = centre.x - reach; x <= centre.x + reach; x += step)
                     if (x >= 0 && x < cellsX_)
@@ -161,7 +162,7 @@ VertexGrid::Candidate VertexGrid::anyNearby(const Point3& query) const
     return best;
 }
 
-VertexId VertexGrid::nearest(const Point3& query, VertexId hint) const
+VertexId VertexGrid::nearest(const Point3 &query, VertexId hint) const
 {
     if (size_ == 0)
         return noVertex;

@@ -19,10 +19,10 @@ public:
 
     /// Points may lie outside the bounds: they go to the outermost cells, where they cost time
     /// but no exactness.
-    explicit VertexGrid(const Box3& bounds);
+    explicit VertexGrid(const Box3 &bounds);
 
-    void insert(VertexId id, const Point3& position);
-    void move(VertexId id, const Point3& position);
+    void insert(VertexId id, const Point3 &position);
+    void move(VertexId id, const Point3 &position);
     void erase(VertexId id);
 
     bool contains(VertexId id) const { return id < entries_.size() && entries_[id].cell != noCell; }
@@ -30,7 +30,7 @@ public:
 
     /// The vertex nearest to the query, the lowest id of several at the same distance, or noVertex
     /// in an empty grid. A hint, any vertex that may be near, saves time and changes nothing.
-    VertexId nearest(const Point3& query, VertexId hint = noVertex) const;
+    VertexId nearest(const Point3 &query, VertexId hint = noVertex) const;
 
 private:
     using CellId = std::uint32_t;
@@ -54,14 +54,14 @@ private:
         VertexId id;
     };
 
-    CellCoordinates coordinates(const Point3& position) const;
-    CellId cellAt(const CellCoordinates& c) const;
+    CellCoordinates coordinates(const Point3 &position) const;
+    CellId cellAt(const CellCoordinates &c) const;
     void link(VertexId id, CellId cell);
     void unlink(VertexId id);
     void regridIfNeeded();
     void layOutCells(std::size_t cellCount);
-    void improve(CellId cell, const Point3& query, Candidate& best) const;
-    Candidate anyNearby(const Point3& query) const;
+    void improve(CellId cell, const Point3 &query, Candidate &best) const;
+    Candidate anyNearby(const Point3 &query) const;
 
     Box3 bounds_;
     Scalar cellSize_ = 1;

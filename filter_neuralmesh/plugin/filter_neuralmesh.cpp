@@ -62,22 +62,22 @@ QString FilterNeuralMesh::filterInfo(ActionIDType filter) const
     }
 }
 
-FilterPlugin::FilterClass FilterNeuralMesh::getClass(const QAction*) const
+FilterPlugin::FilterClass FilterNeuralMesh::getClass(const QAction *) const
 {
     return static_cast<FilterClass>(FilterPlugin::Remeshing | FilterPlugin::PointSet);
 }
 
-FilterPlugin::FilterArity FilterNeuralMesh::filterArity(const QAction*) const
+FilterPlugin::FilterArity FilterNeuralMesh::filterArity(const QAction *) const
 {
     return SINGLE_MESH;
 }
 
-int FilterNeuralMesh::postCondition(const QAction*) const
+int FilterNeuralMesh::postCondition(const QAction *) const
 {
     return MeshModel::MM_NONE; // existing layers stay as they are
 }
 
-RichParameterList FilterNeuralMesh::initParameterList(const QAction* action, const MeshDocument&)
+RichParameterList FilterNeuralMesh::initParameterList(const QAction *action, const MeshDocument &)
 {
     switch (ID(action)) {
     case NeuralMeshReconstruction: return reconstructionParameters();
@@ -85,10 +85,11 @@ RichParameterList FilterNeuralMesh::initParameterList(const QAction* action, con
     }
 }
 
-std::map<std::string, QVariant>
-FilterNeuralMesh::applyFilter(const QAction* action, const RichParameterList& parameters,
-                              MeshDocument& document, unsigned int& postConditionMask,
-                              vcg::CallBackPos* callback)
+std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *action,
+                                                              const RichParameterList &parameters,
+                                                              MeshDocument &document,
+                                                              unsigned int &postConditionMask,
+                                                              vcg::CallBackPos *callback)
 {
     postConditionMask = MeshModel::MM_NONE;
     try {
@@ -96,30 +97,31 @@ FilterNeuralMesh::applyFilter(const QAction* action, const RichParameterList& pa
         case NeuralMeshReconstruction: return reconstruct(parameters, document, callback);
         default: wrongActionCalled(action); return {};
         }
-    } catch (const neuralmesh::InvalidInput& error) {
+    } catch (const neuralmesh::InvalidInput &error) {
         throw MLException(error.what());
-    } catch (const neuralmesh::Cancelled& cancelled) {
+    } catch (const neuralmesh::Cancelled &cancelled) {
         throw MLException(cancelled.what());
-    } catch (const std::bad_alloc&) {
+    } catch (const std::bad_alloc &) {
         throw MLException("Too little memory for this input and TargetVertNum.");
     }
 }
 
-std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParameterList& parameters,
-                                                              MeshDocument& document,
-                                                              vcg::CallBackPos* callback)
+std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParameterList &parameters,
+                                                              MeshDocument &document,
+                                                              vcg::CallBackPos *callback)
 {
     const auto start = std::chrono::steady_clock::now();
     const neuralmesh::GrowthParameters growthParameters = readGrowthParameters(parameters);
     growthParameters.validate();
-    const MeshModel& input = currentLayer(document);
+    const MeshModel &input = currentLayer(document);
     const neuralmesh::PointCloudSampler sampler(worldPoints(input));
 
     Reconstruction result;
     result.seed = growthParameters.seed;
     result.growth =
         neuralmesh::grow(result.mesh, sampler, growthParameters, throttledProgress(callback));
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     log(summary(result));
     addLayer(document, result.mesh, sampler.frame(), resultLabel(input));

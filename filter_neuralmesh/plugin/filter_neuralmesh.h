@@ -20,25 +20,22 @@ public:
     QString filterName(ActionIDType filter) const override;
     QString pythonFilterName(ActionIDType filter) const override;
     QString filterInfo(ActionIDType filter) const override;
-    FilterClass getClass(const QAction* action) const override;
-    FilterArity filterArity(const QAction* action) const override;
-    int postCondition(const QAction* action) const override;
+    FilterClass getClass(const QAction *action) const override;
+    FilterArity filterArity(const QAction *action) const override;
+    int postCondition(const QAction *action) const override;
 
     // The document version: the base class's looks into the current layer, which an empty
     // document does not have.
-    RichParameterList initParameterList(const QAction* action,
-                                        const MeshDocument& document) override;
+    RichParameterList initParameterList(const QAction *action,
+                                        const MeshDocument &document) override;
 
     /// Makes one new layer, current, with the result. Throws MLException with a sentence for the
     /// user on bad input and on cancel, and leaves the document as it was.
-    std::map<std::string, QVariant> applyFilter(const QAction* action,
-                                                const RichParameterList& parameters,
-                                                MeshDocument& document,
-                                                unsigned int& postConditionMask,
-                                                vcg::CallBackPos* callback) override;
+    std::map<std::string, QVariant>
+    applyFilter(const QAction *action, const RichParameterList &parameters, MeshDocument &document,
+                unsigned int &postConditionMask, vcg::CallBackPos *callback) override;
 
 private:
-    std::map<std::string, QVariant> reconstruct(const RichParameterList& parameters,
-                                                MeshDocument& document,
-                                                vcg::CallBackPos* callback);
+    std::map<std::string, QVariant> reconstruct(const RichParameterList &parameters,
+                                                MeshDocument &document, vcg::CallBackPos *callback);
 };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr bool advanced = true;
 
-std::uint64_t readSeed(const RichParameterList& parameters)
+std::uint64_t readSeed(const RichParameterList &parameters)
 {
     const int seed = parameters.getInt("RandomSeed");
     if (seed < 0)
@@ -22,7 +22,7 @@ std::uint64_t readSeed(const RichParameterList& parameters)
     return (device() & 0x7ffffffeU) + 1;
 }
 
-void addGrowthParameters(RichParameterList& list)
+void addGrowthParameters(RichParameterList &list)
 {
     const neuralmesh::GrowthParameters d;
     const auto real = [](double value) { return static_cast<Scalarm>(value); };
@@ -79,7 +79,7 @@ RichParameterList reconstructionParameters()
     return list;
 }
 
-neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList& parameters)
+neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &parameters)
 {
     neuralmesh::GrowthParameters growth;
     growth.targetVertexCount = parameters.getInt("TargetVertNum");

@@ -11,4 +11,4 @@ RichParameterList reconstructionParameters();
 
 /// The core's parameters, not validated yet. A RandomSeed of 0 becomes a fresh positive seed.
 /// Throws InvalidInput for a negative RandomSeed.
-neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList& parameters);
+neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &parameters);

@@ -7,7 +7,7 @@
 
 #include "core/mesh_checks.h"
 
-std::map<std::string, QVariant> resultValues(const Reconstruction& result)
+std::map<std::string, QVariant> resultValues(const Reconstruction &result)
 {
     const neuralmesh::TopologyFigures topology = neuralmesh::measureTopology(result.mesh);
     const std::vector<int> histogram = neuralmesh::valenceHistogram(result.mesh);
@@ -28,7 +28,7 @@ std::map<std::string, QVariant> resultValues(const Reconstruction& result)
             {"valence_histogram", QVariant::fromValue(valences)}};
 }
 
-std::string summary(const Reconstruction& result)
+std::string summary(const Reconstruction &result)
 {
     char figures[256];
     std::snprintf(figures, sizeof figures,
@@ -36,8 +36,8 @@ std::string summary(const Reconstruction& result)
                   "seed %.0f, %.2f s.",
                   result.mesh.vn, result.mesh.fn, static_cast<double>(result.growth.signalCount),
                   static_cast<double>(result.growth.splitCount),
-                  static_cast<double>(result.growth.collapseCount), static_cast<double>(result.seed),
-                  result.seconds);
+                  static_cast<double>(result.growth.collapseCount),
+                  static_cast<double>(result.seed), result.seconds);
     std::string text = figures;
     if (!result.growth.reachedTarget)
         text += " TargetVertNum was not reached: the input has too few points for more vertices, "

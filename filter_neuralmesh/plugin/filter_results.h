@@ -17,7 +17,7 @@ struct Reconstruction {
 
 /// The values returned to scripts, with the names of the interface. Only types that PyMeshLab
 /// passes on: int, bool, double and vectors.
-std::map<std::string, QVariant> resultValues(const Reconstruction& result);
+std::map<std::string, QVariant> resultValues(const Reconstruction &result);
 
 /// Plain text: figures, and why growth stopped where it did not reach its target.
-std::string summary(const Reconstruction& result);
+std::string summary(const Reconstruction &result);

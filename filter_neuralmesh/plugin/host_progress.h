@@ -7,4 +7,4 @@
 
 /// The host's callback as the core's progress, passed on at most ten times a second. Hosts ask to
 /// cancel by returning false.
-neuralmesh::Progress throttledProgress(vcg::CallBackPos* callback);
+neuralmesh::Progress throttledProgress(vcg::CallBackPos *callback);

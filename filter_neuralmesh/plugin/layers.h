@@ -8,16 +8,16 @@
 #include "core/unit_frame.h"
 
 /// The current layer. Throws InvalidInput where the document has none.
-const MeshModel& currentLayer(const MeshDocument& document);
+const MeshModel &currentLayer(const MeshDocument &document);
 
 /// The layer's vertices that are not deleted, in world coordinates: with the layer's matrix.
-std::vector<vcg::Point3d> worldPoints(const MeshModel& layer);
+std::vector<vcg::Point3d> worldPoints(const MeshModel &layer);
 
 /// Label of the result: "NAME neural mesh", without the dots that the host would take for a
 /// file's extension.
-QString resultLabel(const MeshModel& input);
+QString resultLabel(const MeshModel &input);
 
 /// Adds the network to the document as a new layer, current, with an identity matrix, in world
 /// coordinates, normals computed. The network needs its faces.
-void addLayer(MeshDocument& document, const neuralmesh::NeuralMesh& network,
-              const neuralmesh::UnitFrame& frame, const QString& label);
+void addLayer(MeshDocument &document, const neuralmesh::NeuralMesh &network,
+              const neuralmesh::UnitFrame &frame, const QString &label);

@@ -18,7 +18,7 @@ namespace {
 constexpr double flatExtent = 1e-6;
 
 struct PointHash {
-    std::size_t operator()(const Point3& p) const
+    std::size_t operator()(const Point3 &p) const
     {
         std::uint64_t hash = 0;
         for (int axis = 0; axis < 3; ++axis) {
@@ -32,12 +32,12 @@ struct PointHash {
     }
 };
 
-bool isFinite(const vcg::Point3d& p)
+bool isFinite(const vcg::Point3d &p)
 {
     return std::isfinite(p.X()) && std::isfinite(p.Y()) && std::isfinite(p.Z());
 }
 
-void requireFinite(const std::vector<vcg::Point3d>& points)
+void requireFinite(const std::vector<vcg::Point3d> &points)
 {
     std::size_t broken = 0;
     std::size_t first = 0;
@@ -45,31 +45,32 @@ void requireFinite(const std::vector<vcg::Point3d>& points)
         if (!isFinite(points[i]) && broken++ == 0)
             first = i;
     if (broken > 0)
-        throw InvalidInput(std::to_string(broken) + " of " + std::to_string(points.size()) +
-                           " points have coordinates that are NaN or infinite (the first is point " +
-                           std::to_string(first) + "). Remove them and try again.");
+        throw InvalidInput(
+            std::to_string(broken) + " of " + std::to_string(points.size()) +
+            " points have coordinates that are NaN or infinite (the first is point " +
+            std::to_string(first) + "). Remove them and try again.");
 }
 
-Eigen::Vector3d toEigen(const Point3& p)
+Eigen::Vector3d toEigen(const Point3 &p)
 {
     return {p.X(), p.Y(), p.Z()};
 }
 
 /// Widths of the points along their principal axes, ascending, in units of the diagonal.
-Eigen::Vector3d principalWidths(const std::vector<Point3>& points)
+Eigen::Vector3d principalWidths(const std::vector<Point3> &points)
 {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Point3& p : points)
+    for (const Point3 &p : points)
         mean += toEigen(p);
     mean /= static_cast<double>(points.size());
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (const Point3& p : points)
+    for (const Point3 &p : points)
         covariance += (toEigen(p) - mean) * (toEigen(p) - mean).transpose();
     const Eigen::Matrix3d axes =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
     Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Vector3d high = -low;
-    for (const Point3& p : points) {
+    for (const Point3 &p : points) {
         const Eigen::Vector3d along = axes.transpose() * (toEigen(p) - mean);
         low = low.cwiseMin(along);
         high = high.cwiseMax(along);
@@ -77,7 +78,7 @@ Eigen::Vector3d principalWidths(const std::vector<Point3>& points)
     return high - low;
 }
 
-void requireSolid(const std::vector<Point3>& points)
+void requireSolid(const std::vector<Point3> &points)
 {
     const Eigen::Vector3d widths = principalWidths(points);
     if (widths[1] < flatExtent)
@@ -89,13 +90,13 @@ void requireSolid(const std::vector<Point3>& points)
 
 } // namespace
 
-PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d>& world)
+PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d> &world)
 {
     if (world.empty())
         throw InvalidInput("There are no points to reconstruct a surface from.");
     requireFinite(world);
     vcg::Box3d worldBounds;
-    for (const vcg::Point3d& p : world)
+    for (const vcg::Point3d &p : world)
         worldBounds.Add(p);
     if (!std::isfinite(worldBounds.Diag()))
         throw InvalidInput("The points' coordinates are too large: their bounding box's diagonal "
@@ -104,7 +105,7 @@ PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d>& world)
         throw InvalidInput("All points lie in one place: there is no surface to reconstruct.");
     frame_ = UnitFrame(worldBounds);
     points_.reserve(world.size());
-    for (const vcg::Point3d& p : world) {
+    for (const vcg::Point3d &p : world) {
         points_.push_back(frame_.toUnit(p));
         bounds_.Add(points_.back());
     }
@@ -114,10 +115,10 @@ PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d>& world)
     requireSolid(points_);
 }
 
-void PointCloudSampler::draw(Random& random, std::size_t count, std::vector<Point3>& samples) const
+void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Point3> &samples) const
 {
     samples.resize(count);
-    for (Point3& sample : samples)
+    for (Point3 &sample : samples)
         sample = points_[random.below(points_.size())];
 }
 
@@ -125,7 +126,7 @@ std::size_t PointCloudSampler::countDistinctPoints(std::size_t enough) const
 {
     std::unordered_set<Point3, PointHash> seen;
     seen.reserve(std::min(enough, points_.size()));
-    for (const Point3& p : points_) {
+    for (const Point3 &p : points_) {
         seen.insert(p);
         if (seen.size() >= enough)
             break;

@@ -11,11 +11,11 @@ public:
     /// Takes points in world coordinates. Throws InvalidInput where fewer than four are distinct,
     /// where one is not finite, and where all lie in one place, on a line or on a plane, since
     /// none of these can carry a closed surface.
-    explicit PointCloudSampler(const std::vector<vcg::Point3d>& world);
+    explicit PointCloudSampler(const std::vector<vcg::Point3d> &world);
 
-    const UnitFrame& frame() const override { return frame_; }
+    const UnitFrame &frame() const override { return frame_; }
     Box3 bounds() const override { return bounds_; }
-    void draw(Random& random, std::size_t count, std::vector<Point3>& samples) const override;
+    void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const override;
     std::size_t countDistinctPoints(std::size_t enough) const override;
 
 private:

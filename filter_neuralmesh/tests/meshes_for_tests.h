@@ -16,18 +16,18 @@ namespace neuralmesh::test {
 using Triangle = std::array<VertexId, 3>;
 
 /// Builds the rings of a closed oriented mesh from its faces.
-inline void makeMesh(NeuralMesh& mesh, const std::vector<Point3>& points,
-                     const std::vector<Triangle>& faces)
+inline void makeMesh(NeuralMesh &mesh, const std::vector<Point3> &points,
+                     const std::vector<Triangle> &faces)
 {
     std::vector<VertexId> noFreeSlots;
     mesh.Clear();
-    for (const Point3& point : points)
+    for (const Point3 &point : points)
         addVertex(mesh, noFreeSlots, point);
     for (VertexId v = 0; v < points.size(); ++v) {
         // successor[a] = b for each face (v, a, b)
         std::vector<VertexId> successor(points.size(), noVertex);
         VertexId first = noVertex;
-        for (const Triangle& face : faces)
+        for (const Triangle &face : faces)
             for (std::size_t corner = 0; corner < 3; ++corner)
                 if (face[corner] == v) {
                     first = face[(corner + 1) % 3];
@@ -39,23 +39,29 @@ inline void makeMesh(NeuralMesh& mesh, const std::vector<Point3>& points,
 }
 
 /// Corners on the axes: valence 4 everywhere.
-inline void makeOctahedron(NeuralMesh& mesh)
+inline void makeOctahedron(NeuralMesh &mesh)
 {
     makeMesh(mesh, {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-             {{{0, 2, 4}}, {{2, 1, 4}}, {{1, 3, 4}}, {{3, 0, 4}},
-              {{2, 0, 5}}, {{1, 2, 5}}, {{3, 1, 5}}, {{0, 3, 5}}});
+             {{{0, 2, 4}},
+              {{2, 1, 4}},
+              {{1, 3, 4}},
+              {{3, 0, 4}},
+              {{2, 0, 5}},
+              {{1, 2, 5}},
+              {{3, 1, 5}},
+              {{0, 3, 5}}});
 }
 
 /// Two tetrahedra glued at a face, with apexes 3 (above) and 4 (below) of the triangle 0 1 2.
 /// Its edges 0-1, 1-2 and 2-0 lie on a triangle that is no face.
-inline void makeBipyramid(NeuralMesh& mesh)
+inline void makeBipyramid(NeuralMesh &mesh)
 {
     makeMesh(mesh, {{1, 0, 0}, {-0.5, 0.87, 0}, {-0.5, -0.87, 0}, {0, 0, 1}, {0, 0, -1}},
              {{{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}, {{1, 0, 4}}, {{2, 1, 4}}, {{0, 2, 4}}});
 }
 
 /// A torus of `major` by `minor` quads, each cut in two: valence 6 everywhere, genus 1.
-inline void makeTorus(NeuralMesh& mesh, VertexId major, VertexId minor)
+inline void makeTorus(NeuralMesh &mesh, VertexId major, VertexId minor)
 {
     std::vector<Point3> points;
     std::vector<Triangle> faces;

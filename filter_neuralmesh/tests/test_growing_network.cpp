@@ -9,10 +9,10 @@
 namespace neuralmesh {
 namespace {
 
-Box3 boundsOf(const NeuralMesh& mesh)
+Box3 boundsOf(const NeuralMesh &mesh)
 {
     Box3 bounds;
-    for (const NeuralVertex& vertex : mesh.vert)
+    for (const NeuralVertex &vertex : mesh.vert)
         bounds.Add(vertex.cP());
     return bounds;
 }

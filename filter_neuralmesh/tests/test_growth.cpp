@@ -10,9 +10,9 @@
 namespace neuralmesh {
 namespace {
 
-const std::vector<vcg::Point3d>& sphereOf20000()
+const std::vector<vcg::Point3d> &densePointsOnSphere()
 {
-    static const std::vector<vcg::Point3d> points = test::spherePoints(20000, 7);
+    static const std::vector<vcg::Point3d> points = test::spherePoints(200000, 7);
     return points;
 }
 
@@ -27,7 +27,7 @@ struct ValenceShares {
     double six, fiveToSeven; ///< per cent
 };
 
-ValenceShares valenceShares(const NeuralMesh& mesh)
+ValenceShares valenceShares(const NeuralMesh &mesh)
 {
     std::vector<int> histogram = valenceHistogram(mesh);
     histogram.resize(std::max<std::size_t>(histogram.size(), 8));
@@ -37,7 +37,7 @@ ValenceShares valenceShares(const NeuralMesh& mesh)
 
 TEST(Growth, gives_a_closed_sphere_of_exactly_the_vertices_asked_for)
 {
-    const PointCloudSampler sampler(sphereOf20000());
+    const PointCloudSampler sampler(densePointsOnSphere());
     for (const int target : {4, 5, 17, 100, 1234}) {
         NeuralMesh mesh;
         const GrowthReport report = grow(mesh, sampler, withTarget(target));
@@ -56,10 +56,10 @@ TEST(Growth, gives_a_closed_sphere_of_exactly_the_vertices_asked_for)
 
 TEST(Growth, comes_near_the_sphere_it_samples)
 {
-    const PointCloudSampler sampler(sphereOf20000());
+    const PointCloudSampler sampler(densePointsOnSphere());
     NeuralMesh mesh;
     grow(mesh, sampler, withTarget(1000));
-    for (const NeuralFace& face : mesh.face)
+    for (const NeuralFace &face : mesh.face)
         // A face of 1,000 vertices spans about 0.12: its sagitta is 0.12^2 / 2 / 3 = 0.0024; ten
         // times that would be a vertex that is misplaced.
         EXPECT_NEAR(sampler.frame().toWorld(face.cP(0)).Norm(), 1, 0.024);
@@ -67,14 +67,14 @@ TEST(Growth, comes_near_the_sphere_it_samples)
 
 TEST(Growth, the_same_seed_gives_the_same_mesh_and_another_seed_another)
 {
-    const PointCloudSampler sampler(sphereOf20000());
+    const PointCloudSampler sampler(densePointsOnSphere());
     const auto positions = [&](std::uint64_t seed) {
         GrowthParameters parameters = withTarget(500);
         parameters.seed = seed;
         NeuralMesh mesh;
         grow(mesh, sampler, parameters);
         std::vector<Point3> all;
-        for (const NeuralFace& face : mesh.face)
+        for (const NeuralFace &face : mesh.face)
             for (int corner = 0; corner < 3; ++corner)
                 all.push_back(face.cP(corner));
         return all;
@@ -85,7 +85,7 @@ TEST(Growth, the_same_seed_gives_the_same_mesh_and_another_seed_another)
 
 TEST(Growth, reproduces_table_1_with_the_papers_split_and_a_long_memory)
 {
-    const PointCloudSampler sampler(sphereOf20000());
+    const PointCloudSampler sampler(densePointsOnSphere());
     for (const int target : {1000, 5000}) {
         GrowthParameters parameters = withTarget(target);
         parameters.splitRule = SplitRule::paper;
@@ -100,7 +100,7 @@ TEST(Growth, reproduces_table_1_with_the_papers_split_and_a_long_memory)
 
 TEST(Growth, makes_even_valences_by_default_whatever_the_size)
 {
-    const PointCloudSampler sampler(sphereOf20000());
+    const PointCloudSampler sampler(densePointsOnSphere());
     double least = 100, most = 0;
     for (const int target : {1000, 2000, 5000}) {
         NeuralMesh mesh;
@@ -121,7 +121,7 @@ TEST(Growth, refuses_a_target_above_the_distinct_points_and_names_the_most)
     try {
         grow(mesh, sampler, withTarget(301));
         FAIL() << "301 vertices from 300 points were accepted";
-    } catch (const InvalidInput& error) {
+    } catch (const InvalidInput &error) {
         EXPECT_NE(std::string(error.what()).find("at most 300"), std::string::npos);
     }
 }
@@ -138,21 +138,21 @@ TEST(Growth, ends_and_tells_the_truth_when_the_target_is_as_many_as_the_points)
 
 TEST(Growth, stops_when_progress_says_so)
 {
-    const PointCloudSampler sampler(sphereOf20000());
+    const PointCloudSampler sampler(densePointsOnSphere());
     NeuralMesh mesh;
     int calls = 0;
-    const Progress stopAtThird = [&](double, const char*) { return ++calls < 3; };
+    const Progress stopAtThird = [&](double, const char *) { return ++calls < 3; };
     EXPECT_THROW(grow(mesh, sampler, withTarget(1000), stopAtThird), Cancelled);
     EXPECT_EQ(calls, 3);
 }
 
 TEST(Growth, progress_rises_from_nothing_to_all)
 {
-    const PointCloudSampler sampler(sphereOf20000());
+    const PointCloudSampler sampler(densePointsOnSphere());
     NeuralMesh mesh;
     double last = 0;
     bool rises = true;
-    grow(mesh, sampler, withTarget(1000), [&](double fraction, const char*) {
+    grow(mesh, sampler, withTarget(1000), [&](double fraction, const char *) {
         rises = rises && fraction >= last - 0.02 && fraction <= 1; // collapses take a little back
         last = fraction;
         return true;
@@ -163,31 +163,31 @@ TEST(Growth, progress_rises_from_nothing_to_all)
 
 TEST(Growth, refuses_parameters_out_of_range)
 {
-    const PointCloudSampler sampler(sphereOf20000());
+    const PointCloudSampler sampler(densePointsOnSphere());
     NeuralMesh mesh;
     const auto refuses = [&](auto change) {
         GrowthParameters parameters = withTarget(100);
         change(parameters);
         EXPECT_THROW(grow(mesh, sampler, parameters), InvalidInput);
     };
-    refuses([](GrowthParameters& p) { p.targetVertexCount = 3; });
-    refuses([](GrowthParameters& p) { p.winnerRate = 0; });
-    refuses([](GrowthParameters& p) { p.winnerRate = std::nan(""); });
-    refuses([](GrowthParameters& p) { p.smoothingRate = 1; });
-    refuses([](GrowthParameters& p) { p.smoothingPasses = 0; });
-    refuses([](GrowthParameters& p) { p.signalsPerSplit = 0; });
-    refuses([](GrowthParameters& p) { p.inactivityFactor = 0; });
-    refuses([](GrowthParameters& p) { p.counterDecay = 1.5; });
+    refuses([](GrowthParameters &p) { p.targetVertexCount = 3; });
+    refuses([](GrowthParameters &p) { p.winnerRate = 0; });
+    refuses([](GrowthParameters &p) { p.winnerRate = std::nan(""); });
+    refuses([](GrowthParameters &p) { p.smoothingRate = 1; });
+    refuses([](GrowthParameters &p) { p.smoothingPasses = 0; });
+    refuses([](GrowthParameters &p) { p.signalsPerSplit = 0; });
+    refuses([](GrowthParameters &p) { p.inactivityFactor = 0; });
+    refuses([](GrowthParameters &p) { p.counterDecay = 1.5; });
 }
 
 TEST(Growth, every_parameter_changes_the_result)
 {
-    const PointCloudSampler sampler(sphereOf20000());
-    const auto sumOfPositions = [&](const GrowthParameters& parameters) {
+    const PointCloudSampler sampler(densePointsOnSphere());
+    const auto sumOfPositions = [&](const GrowthParameters &parameters) {
         NeuralMesh mesh;
         grow(mesh, sampler, parameters);
         double sum = 0;
-        for (const NeuralVertex& vertex : mesh.vert)
+        for (const NeuralVertex &vertex : mesh.vert)
             sum += vertex.IsD() ? 0 : std::abs(vertex.cP().X());
         return sum;
     };
@@ -197,14 +197,14 @@ TEST(Growth, every_parameter_changes_the_result)
         change(parameters);
         EXPECT_NE(sumOfPositions(parameters), asItIs);
     };
-    changes([](GrowthParameters& p) { p.winnerRate = 0.1; });
-    changes([](GrowthParameters& p) { p.smoothingRate = 0.1; });
-    changes([](GrowthParameters& p) { p.smoothingPasses = 2; });
-    changes([](GrowthParameters& p) { p.signalsPerSplit = 50; });
-    changes([](GrowthParameters& p) { p.inactivityFactor = 1; });
-    changes([](GrowthParameters& p) { p.counterDecay = 0.5; });
-    changes([](GrowthParameters& p) { p.splitRule = SplitRule::paper; });
-    changes([](GrowthParameters& p) { p.seed = 9; });
+    changes([](GrowthParameters &p) { p.winnerRate = 0.1; });
+    changes([](GrowthParameters &p) { p.smoothingRate = 0.1; });
+    changes([](GrowthParameters &p) { p.smoothingPasses = 2; });
+    changes([](GrowthParameters &p) { p.signalsPerSplit = 50; });
+    changes([](GrowthParameters &p) { p.inactivityFactor = 1; });
+    changes([](GrowthParameters &p) { p.counterDecay = 0.5; });
+    changes([](GrowthParameters &p) { p.splitRule = SplitRule::paper; });
+    changes([](GrowthParameters &p) { p.seed = 9; });
 }
 
 } // namespace

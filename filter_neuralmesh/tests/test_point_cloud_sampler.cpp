@@ -13,11 +13,11 @@ namespace {
 
 using Points = std::vector<vcg::Point3d>;
 
-std::string refusal(const Points& points)
+std::string refusal(const Points &points)
 {
     try {
         const PointCloudSampler sampler(points);
-    } catch (const InvalidInput& error) {
+    } catch (const InvalidInput &error) {
         return error.what();
     }
     return "accepted";
@@ -32,20 +32,20 @@ TEST(PointCloudSampler, draws_every_point_with_the_same_probability)
     std::vector<Point3> samples;
     sampler.draw(random, 100000, samples);
     std::map<int, int> counts;
-    for (const Point3& sample : samples) {
+    for (const Point3 &sample : samples) {
         const vcg::Point3d world = sampler.frame().toWorld(sample);
         ++counts[static_cast<int>(std::lround(world.X() + 2 * world.Y() + 3 * world.Z()))];
     }
     ASSERT_EQ(counts.size(), 4U);
     // Five standard deviations of a binomial(100000, 1/4): 685.
-    for (const auto& [point, count] : counts)
+    for (const auto &[point, count] : counts)
         EXPECT_NEAR(count, 25000, 685);
 }
 
 TEST(PointCloudSampler, the_unit_frame_is_centred_with_unit_diagonal)
 {
     Points far = tetrahedron;
-    for (vcg::Point3d& p : far)
+    for (vcg::Point3d &p : far)
         p = p * 1000.0 + vcg::Point3d(500000, 4500000, 100);
     const PointCloudSampler sampler(far);
     EXPECT_NEAR(sampler.bounds().Diag(), 1, 1e-9);

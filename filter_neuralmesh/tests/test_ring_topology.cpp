@@ -17,7 +17,7 @@ using test::makeBipyramid;
 using test::makeOctahedron;
 using test::makeTorus;
 
-std::vector<VertexId> liveVertices(const NeuralMesh& mesh)
+std::vector<VertexId> liveVertices(const NeuralMesh &mesh)
 {
     std::vector<VertexId> live;
     for (VertexId v = 0; v < mesh.idBound(); ++v)
@@ -28,14 +28,14 @@ std::vector<VertexId> liveVertices(const NeuralMesh& mesh)
 
 /// What VCG says of the mesh that plain index replacement leaves of edge (v, u): closed,
 /// two-manifold, no doubled or degenerate face, Euler number kept.
-bool vcgAcceptsCollapse(const NeuralMesh& source, VertexId v, VertexId u)
+bool vcgAcceptsCollapse(const NeuralMesh &source, VertexId v, VertexId u)
 {
     using Clean = vcg::tri::Clean<NeuralMesh>;
     using Allocator = vcg::tri::Allocator<NeuralMesh>;
     NeuralMesh mesh;
-    for (const NeuralVertex& vertex : source.vert)
+    for (const NeuralVertex &vertex : source.vert)
         Allocator::AddVertex(mesh, vertex.cP());
-    for (const NeuralFace& face : source.face) {
+    for (const NeuralFace &face : source.face) {
         VertexId id[3];
         int ends = 0;
         for (int corner = 0; corner < 3; ++corner) {
@@ -56,7 +56,7 @@ bool vcgAcceptsCollapse(const NeuralMesh& source, VertexId v, VertexId u)
            Clean::CountNonManifoldVertexFF(mesh) == 0 && mesh.vn == source.vn - 1;
 }
 
-void compareCollapsesWithVcg(NeuralMesh& mesh)
+void compareCollapsesWithVcg(NeuralMesh &mesh)
 {
     validate(mesh);
     rebuildFaces(mesh);
@@ -190,7 +190,7 @@ TEST(RingTopology, turning_round_changes_the_sign_of_the_volume)
 }
 
 /// A random operation on a random edge, where it is allowed.
-void mutate(NeuralMesh& mesh, Random& random, std::vector<VertexId>& freeSlots, int most)
+void mutate(NeuralMesh &mesh, Random &random, std::vector<VertexId> &freeSlots, int most)
 {
     const std::vector<VertexId> live = liveVertices(mesh);
     const VertexId v = live[random.below(live.size())];
@@ -215,7 +215,7 @@ void mutate(NeuralMesh& mesh, Random& random, std::vector<VertexId>& freeSlots, 
     }
 }
 
-void mutateAndValidate(NeuralMesh& mesh, std::uint64_t seed, int operations, int most, int genus)
+void mutateAndValidate(NeuralMesh &mesh, std::uint64_t seed, int operations, int most, int genus)
 {
     Random random(seed);
     std::vector<VertexId> freeSlots;

@@ -18,22 +18,22 @@ public:
 
     void decay(double alpha)
     {
-        for (auto& [id, value] : values)
+        for (auto &[id, value] : values)
             value *= alpha;
     }
     double highestValue() const
     {
         double highest = 0;
-        for (const auto& [id, value] : values)
+        for (const auto &[id, value] : values)
             highest = std::max(highest, value);
         return highest;
     }
 };
 
-void expectSame(const SignalCounters& counters, const NaiveCounters& naive)
+void expectSame(const SignalCounters &counters, const NaiveCounters &naive)
 {
     ASSERT_EQ(counters.size(), naive.values.size());
-    for (const auto& [id, value] : naive.values)
+    for (const auto &[id, value] : naive.values)
         ASSERT_NEAR(counters.value(id), value, 1e-9 * (1 + value));
     ASSERT_NEAR(counters.value(counters.highest()), naive.highestValue(),
                 1e-9 * (1 + naive.highestValue()));

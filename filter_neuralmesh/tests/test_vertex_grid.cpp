@@ -13,11 +13,11 @@ namespace {
 using Positions = std::map<VertexId, Point3>;
 
 /// The oracle: every vertex looked at, ties to the lowest id.
-VertexId nearestByBruteForce(const Positions& positions, const Point3& query)
+VertexId nearestByBruteForce(const Positions &positions, const Point3 &query)
 {
     VertexId best = noVertex;
     Scalar least = 0;
-    for (const auto& [id, position] : positions) {
+    for (const auto &[id, position] : positions) {
         const Scalar d = (position - query).SquaredNorm();
         if (best == noVertex || d < least) {
             best = id;
@@ -27,7 +27,7 @@ VertexId nearestByBruteForce(const Positions& positions, const Point3& query)
     return best;
 }
 
-Box3 box(const Point3& low, const Point3& high)
+Box3 box(const Point3 &low, const Point3 &high)
 {
     Box3 b;
     b.Add(low);
@@ -36,7 +36,7 @@ Box3 box(const Point3& low, const Point3& high)
 }
 
 /// Points in and around the box, a part of them on a coarse lattice so that ties occur.
-Point3 randomPoint(Random& random, const Box3& bounds)
+Point3 randomPoint(Random &random, const Box3 &bounds)
 {
     Point3 p;
     const bool onLattice = random.below(4) == 0;
@@ -47,7 +47,7 @@ Point3 randomPoint(Random& random, const Box3& bounds)
     return p;
 }
 
-void churn(const Box3& bounds, std::uint64_t seed, int operations)
+void churn(const Box3 &bounds, std::uint64_t seed, int operations)
 {
     Random random(seed);
     VertexGrid grid(bounds);

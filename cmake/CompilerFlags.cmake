@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Flags of all our own targets, as the interface library neuralmesh_flags.
+
+add_library(neuralmesh_flags INTERFACE)
+# No fused multiply-add and no fast-math: the same seed gives the same mesh, whatever the compiler
+# makes of the processor. The error number of sqrt() is nothing that anyone reads.
+target_compile_options(neuralmesh_flags INTERFACE
+    -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off -fno-math-errno
+    $<$<BOOL:${NEURALMESH_WERROR}>:-Werror>)
+if(NEURALMESH_SANITIZE)
+    # VCGlib binds references to the end of vectors, which is not ours to mend: no -fsanitize=null.
+    set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all)
+    target_compile_options(neuralmesh_flags INTERFACE ${sanitizers} -fno-omit-frame-pointer)
+    target_link_options(neuralmesh_flags INTERFACE ${sanitizers})
+endif()

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Time of each step of the algorithm, for networks of several sizes on a sphere.
+#include <benchmark/benchmark.h>
+
+#include "core/growing_network.h"
+#include "core/growth.h"
+#include "core/morton_order.h"
+#include "samplers/point_cloud_sampler.h"
+#include "tests/meshes_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+const PointCloudSampler &sphere()
+{
+    static const PointCloudSampler sampler(test::spherePoints(1000000, 1));
+    return sampler;
+}
+
+/// A grown network of state.range(0) vertices and a batch of samples in Morton order.
+struct Grown {
+    explicit Grown(const benchmark::State &state)
+    {
+        GrowthParameters parameters;
+        parameters.targetVertexCount = static_cast<int>(state.range(0));
+        grow(mesh, sphere(), parameters);
+        Random random(2);
+        sphere().draw(random, static_cast<std::size_t>(state.range(0)), samples);
+        MortonOrder(sphere().bounds()).sort(samples);
+    }
+
+    NeuralMesh mesh;
+    std::vector<Point3> samples;
+};
+
+void findWinner(benchmark::State &state)
+{
+    Grown grown(state);
+    GrowingNetwork network(grown.mesh, sphere().bounds(), {});
+    std::size_t i = 0;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(network.findWinner(grown.samples[i++ % grown.samples.size()]));
+}
+
+void findWinnerAndAdapt(benchmark::State &state)
+{
+    Grown grown(state);
+    GrowingNetwork network(grown.mesh, sphere().bounds(), {});
+    std::size_t i = 0;
+    for (auto _ : state) {
+        const Point3 &sample = grown.samples[i++ % grown.samples.size()];
+        network.adapt(network.findWinner(sample), sample);
+    }
+}
+
+void countSignal(benchmark::State &state)
+{
+    Grown grown(state);
+    GrowingNetwork network(grown.mesh, sphere().bounds(), {});
+    Random random(3);
+    const auto vertices = static_cast<std::uint64_t>(network.vertexCount());
+    for (auto _ : state)
+        network.countSignal(static_cast<VertexId>(random.below(vertices)));
+}
+
+void drawAndSort(benchmark::State &state)
+{
+    Random random(4);
+    MortonOrder order(sphere().bounds());
+    std::vector<Point3> samples;
+    for (auto _ : state) {
+        sphere().draw(random, static_cast<std::size_t>(state.range(0)), samples);
+        order.sort(samples);
+    }
+    state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+BENCHMARK(findWinner)->Arg(1000)->Arg(5000)->Arg(100000);
+BENCHMARK(findWinnerAndAdapt)->Arg(1000)->Arg(5000)->Arg(100000);
+BENCHMARK(countSignal)->Arg(1000)->Arg(5000)->Arg(100000);
+BENCHMARK(drawAndSort)->Arg(1000)->Arg(100000);
+
+} // namespace
+} // namespace neuralmesh

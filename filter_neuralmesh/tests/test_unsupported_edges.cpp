@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/unsupported_edges.h"
+
+#include <gtest/gtest.h>
+
+#include "core/mesh_checks.h"
+#include "meshes_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+Scalar longestEdge(const NeuralMesh &mesh)
+{
+    Scalar longest = 0;
+    for (VertexId v = 0; v < mesh.idBound(); ++v)
+        for (const VertexId u : mesh.ring(v))
+            longest = std::max(longest, (mesh.position(v) - mesh.position(u)).Norm());
+    return longest;
+}
+
+/// Two posts, each a column of 4 x `height` vertices with unit spacing, `gap` apart, joined over
+/// their whole height by a web: two sheets back to back, between column 0 of the left post and
+/// column 2 of the right one. As a surface: one long tube around both.
+///
+///      3           3
+///    0   2 ===== 0   2      seen from above; ===== is the web between left 2 and right 0
+///      1           1
+void makePostsWithWeb(NeuralMesh &mesh, VertexId height, Scalar gap)
+{
+    // The loop around both posts at each level: left 2 twice is not possible on a manifold, so
+    // the web leaves from left 1 and 3 to right 1 and 3, and corners 2 and 0 face the void.
+    std::vector<Point3> points;
+    std::vector<test::Triangle> faces;
+    const Scalar loop[8][2] = {{1, -0.5}, {0, -0.5},  {-0.7, 0},      {0, 0.5},
+                               {1, 0.5},  {gap, 0.5}, {gap + 1.7, 0}, {gap, -0.5}};
+    for (VertexId level = 0; level < height; ++level)
+        for (const auto &[x, y] : loop)
+            points.emplace_back(x, y, static_cast<Scalar>(level));
+    const auto at = [](VertexId level, VertexId place) { return level * 8 + place % 8; };
+    for (VertexId level = 0; level + 1 < height; ++level)
+        for (VertexId place = 0; place < 8; ++place) {
+            faces.push_back({{at(level, place), at(level, place + 1), at(level + 1, place)}});
+            faces.push_back(
+                {{at(level, place + 1), at(level + 1, place + 1), at(level + 1, place)}});
+        }
+    for (VertexId place = 1; place + 1 < 8; ++place) {
+        faces.push_back({{at(0, 0), at(0, place + 1), at(0, place)}});
+        faces.push_back({{at(height - 1, 0), at(height - 1, place), at(height - 1, place + 1)}});
+    }
+    test::makeMesh(mesh, points, faces);
+}
+
+TEST(UnsupportedEdges, a_web_retracts_to_its_last_edge)
+{
+    // Of the 2 x 9 long edges around the loop and the diagonals between them, a tube that still
+    // holds both posts together needs no more than a few at one end.
+    NeuralMesh mesh;
+    makePostsWithWeb(mesh, 9, 12);
+    validate(mesh);
+    const auto countLong = [&] {
+        int count = 0;
+        for (VertexId v = 0; v < mesh.idBound(); ++v)
+            for (const VertexId u : mesh.ring(v))
+                count += v < u && (mesh.position(v) - mesh.position(u)).Norm() > 6 ? 1 : 0;
+        return count;
+    };
+    const int before = countLong();
+    EXPECT_GT(retractWebs(mesh), 0);
+    validate(mesh);
+    EXPECT_EQ(measureTopology(mesh).genus, 0);
+    EXPECT_LE(countLong(), before / 3) << "of " << before;
+}
+
+TEST(UnsupportedEdges, a_regular_mesh_stays_as_it_is)
+{
+    NeuralMesh mesh;
+    test::makeTorus(mesh, 30, 12);
+    EXPECT_EQ(retractWebs(mesh), 0);
+    const Scalar longest = longestEdge(mesh);
+    EXPECT_LT(longest, 1.3);
+}
+
+TEST(UnsupportedEdges, spacing_is_that_of_the_three_shortest_edges)
+{
+    NeuralMesh mesh;
+    test::makeOctahedron(mesh);
+    mesh.position(2) = {0, 100, 0};
+    EXPECT_NEAR(localSpacing(mesh, 0), std::sqrt(2.0), 1e-12);
+    EXPECT_TRUE(isUnsupported(mesh, 4, 2) || localSpacing(mesh, 2) > 50);
+    EXPECT_FALSE(isUnsupported(mesh, 0, 4));
+}
+
+} // namespace
+} // namespace neuralmesh
