@@ -8,7 +8,6 @@ target_compile_options(neuralmesh_flags INTERFACE
     -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off -fno-math-errno
     $<$<BOOL:${NEURALMESH_WERROR}>:-Werror>)
 if(NEURALMESH_SANITIZE)
-    # VCGlib binds references to the end of vectors, which is not ours to mend: no -fsanitize=null.
     set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all)
     target_compile_options(neuralmesh_flags INTERFACE ${sanitizers} -fno-omit-frame-pointer)
     target_link_options(neuralmesh_flags INTERFACE ${sanitizers})

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ring_topology.h"
+#include "triangle.h"
 
 namespace neuralmesh {
 namespace {
@@ -16,28 +17,6 @@ constexpr Scalar foldCosine = 0.643;
 constexpr Scalar goodAngleCosine = 0.866;
 /// Of the cosine: keeps rounding from flipping an edge to and fro.
 constexpr Scalar leastAngleGain = 1e-6;
-
-struct Triangle {
-    const Point3 &a;
-    const Point3 &b;
-    const Point3 &c;
-};
-
-Point3 unitNormal(const Triangle &t)
-{
-    return ((t.b - t.a) ^ (t.c - t.a)).Normalize();
-}
-
-Scalar cosineAt(const Point3 &corner, const Point3 &left, const Point3 &right)
-{
-    return (left - corner).Normalize() * (right - corner).Normalize();
-}
-
-/// Cosine of the smallest angle.
-Scalar cosineOfSmallestAngle(const Triangle &t)
-{
-    return std::max({cosineAt(t.a, t.b, t.c), cosineAt(t.b, t.c, t.a), cosineAt(t.c, t.a, t.b)});
-}
 
 /// The two faces at an edge.
 struct FacePair {

@@ -8,6 +8,7 @@
 
 #include "edge_flips.h"
 #include "ring_topology.h"
+#include "self_intersections.h"
 #include "unsupported_edges.h"
 
 namespace neuralmesh {
@@ -47,6 +48,26 @@ VertexId GrowingNetwork::findWinner(const Point3 &sample)
 {
     lastWinner_ = grid_.nearest(sample, lastWinner_);
     return lastWinner_;
+}
+
+void GrowingNetwork::moveVertex(VertexId v, const Point3 &position)
+{
+    mesh_.position(v) = position;
+    grid_.move(v, position);
+}
+
+std::vector<VertexId> GrowingNetwork::findIntersectingVertices()
+{
+    return neuralmesh::findIntersectingVertices(mesh_);
+}
+
+int GrowingNetwork::evenValences()
+{
+    int flips = 0;
+    for (VertexId v = 0; v < mesh_.idBound(); ++v)
+        if (mesh_.isLive(v))
+            flips += evenValencesAround(mesh_, v);
+    return flips;
 }
 
 void GrowingNetwork::adapt(VertexId winner, const Point3 &sample)
@@ -92,11 +113,11 @@ void GrowingNetwork::smoothTangentially(VertexId v, const Point3 &normal)
     mesh_.position(v) += (laplacian - normal * (laplacian * normal)) * parameters_.smoothingRate;
 }
 
-void GrowingNetwork::countSignal(VertexId winner)
+void GrowingNetwork::countSignal(VertexId winner, double amount)
 {
     ++signals_;
     lastWin_[winner] = signals_;
-    counters_.add(winner);
+    counters_.add(winner, amount);
     counters_.decay(decayPerSignal_);
 }
 
@@ -130,7 +151,7 @@ int GrowingNetwork::longestEdge(VertexId v) const
     Scalar longestSquared = -1;
     for (int i = 0; i < ring.size(); ++i) {
         const Scalar d = (mesh_.position(ring[i]) - mesh_.position(v)).SquaredNorm();
-        if (d > longestSquared && (longestSquared < 0 || !isUnsupported(mesh_, v, ring[i]))) {
+        if (d > longestSquared && (longestSquared < 0 || !isOverlong(mesh_, v, ring[i]))) {
             longest = i;
             longestSquared = d;
         }
@@ -208,20 +229,25 @@ bool GrowingNetwork::isInactive(VertexId v) const
     return signals_ - lastWin_[v] >= inactivityWindow();
 }
 
-int GrowingNetwork::collapseInactive()
+int GrowingNetwork::collapseInactive(const SampleSupport &support)
 {
     lastCollapse_ = signals_;
     std::vector<VertexId> inactive;
     for (VertexId v = 0; v < mesh_.idBound(); ++v)
         if (mesh_.isLive(v) && isInactive(v))
             inactive.push_back(v);
+    return collapse(inactive, support);
+}
+
+int GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const SampleSupport &support)
+{
     int removed = 0;
-    for (const VertexId v : inactive)
+    for (const VertexId v : vertices)
         if (const VertexId into = bestCollapse(v); into != noVertex) {
             remove(v, into);
             ++removed;
         }
-    retractWebs(mesh_);
+    retractWebs(mesh_, support);
     updateDecay();
     return removed;
 }
@@ -246,7 +272,7 @@ VertexId GrowingNetwork::bestCollapse(VertexId v) const
 
 void GrowingNetwork::remove(VertexId v, VertexId into)
 {
-    collapse(mesh_, v, into, freeSlots_);
+    neuralmesh::collapse(mesh_, v, into, freeSlots_);
     grid_.erase(v);
     counters_.erase(v);
 }

@@ -8,6 +8,7 @@
 #include "growth_parameters.h"
 #include "neural_mesh.h"
 #include "signal_counters.h"
+#include "unsupported_edges.h"
 #include "vertex_grid.h"
 
 namespace neuralmesh {
@@ -28,12 +29,25 @@ public:
     /// Step 2: the vertex nearest to the sample. Fast where the sample is near the last one.
     VertexId findWinner(const Point3 &sample);
 
+    /// Unit normal of a vertex, outwards: the sum of its faces' normals, weighted by area. Zero
+    /// where the star has no area.
+    Point3 normal(VertexId v) const;
+
+    /// Moves a vertex to another place.
+    void moveVertex(VertexId v, const Point3 &position);
+
+    /// The corners of all faces that intersect another.
+    std::vector<VertexId> findIntersectingVertices();
+
+    /// Flips edges all over the mesh where that evens out the valences or widens angles.
+    int evenValences();
+
     /// Step 3: moves the winner towards the sample (equation 2) and smooths its neighbours within
     /// their tangent planes (equations 3 to 5).
     void adapt(VertexId winner, const Point3 &sample);
 
     /// Step 4: counts the signal for the winner and decays all counters (equations 6 and 7).
-    void countSignal(VertexId winner);
+    void countSignal(VertexId winner, double amount = 1);
 
     /// Step 5: splits the vertex with the highest counter along its longest edge.
     VertexId splitMostActive();
@@ -41,7 +55,10 @@ public:
     /// Step 6: removes every vertex that has not won in the last μ·n signals by the edge collapse
     /// with the least regularity error (equation 9). A vertex none of whose edges may collapse
     /// stays. Returns how many were removed.
-    int collapseInactive();
+    int collapseInactive(const SampleSupport &support);
+
+    /// Removes these vertices in the same way, then retracts the webs that this leaves.
+    int collapse(const std::vector<VertexId> &vertices, const SampleSupport &support);
 
     /// μ·n signals: a vertex that wins none of so many is inactive.
     std::uint64_t inactivityWindow() const;
@@ -54,7 +71,6 @@ private:
         int first, last; ///< ring places, counter-clockwise
     };
 
-    Point3 normal(VertexId v) const;
     void smoothTangentially(VertexId v, const Point3 &normal);
     int longestEdge(VertexId v) const;
     StarSpan halvingSpan(VertexId v, int edge) const;

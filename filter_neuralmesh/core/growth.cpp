@@ -2,13 +2,16 @@
 #include "growth.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "growing_network.h"
 #include "mesh_checks.h"
 #include "morton_order.h"
 #include "ring_topology.h"
+#include "star_projection.h"
 #include "starting_mesh.h"
+#include "surface_fit.h"
 
 namespace neuralmesh {
 namespace {
@@ -20,8 +23,28 @@ constexpr double batchPerVertex = 0.5;
 /// Samples from which the starting tetrahedron takes its place and shape.
 constexpr std::size_t startingSamples = 1000;
 
+/// Share of a signal's count that depends on the sample's distance to the surface, and the most
+/// that a distance may count, in means.
+constexpr double errorShare = 0.75;
+constexpr double mostRelative = 4;
+/// Share of the target from which that is so: while the network is coarse, errors are those of
+/// webs and of limbs not yet found, and following them keeps the webs (dino's legs).
+constexpr double errorFrom = 0.4;
+/// Weight of a new sample in the running mean.
+constexpr double meanWeight = 0.001;
+
+/// Share of the time that growth takes, the fit takes the rest.
+constexpr double shareOfGrowth = 0.85;
+
 /// Signals between two calls of the progress callback.
 constexpr std::size_t signalsPerReport = 10000;
+
+/// Consolidation ends after so many rounds even where each still removes a vertex.
+constexpr int consolidationRounds = 10;
+/// Samples of a census for each vertex: one with the average share misses all with e^-10.
+constexpr int censusPerVertex = 10;
+/// Samples for each vertex that tell where the target space is, when webs are looked for.
+constexpr int supportPerVertex = 6;
 
 /// Growth has come to a stop where it gains less than this share of its vertices...
 constexpr double leastGain = 0.05;
@@ -40,25 +63,90 @@ public:
 
     GrowthReport run()
     {
-        while (network_.vertexCount() < parameters_.targetVertexCount && !hasStagnated()) {
-            sampleBatch();
-            for (std::size_t i = 0; i < batch_.size(); ++i) {
-                const VertexId winner = network_.findWinner(batch_[i]);
-                network_.adapt(winner, batch_[i]);
-                network_.countSignal(winner);
-                if (i % signalsPerReport == 0)
-                    reportProgress();
-            }
-            splitMostActive(batch_.size() / static_cast<std::size_t>(parameters_.signalsPerSplit));
-            if (network_.collapseIsDue())
-                collapseInactive();
-        }
+        growToTarget();
+        consolidate();
+        if (parameters_.surfaceFit)
+            fitSurface(network_, sampler_, random_, [&](double fraction, const char *activity) {
+                report(progress_, shareOfGrowth + (1 - shareOfGrowth) * fraction, activity);
+                return true;
+            });
         report_.signalCount = network_.signals();
-        report_.reachedTarget = network_.vertexCount() == parameters_.targetVertexCount;
+        report_.reachedTarget = isComplete();
         return report_;
     }
 
 private:
+    bool isComplete() const { return network_.vertexCount() == parameters_.targetVertexCount; }
+
+    void growToTarget()
+    {
+        while (!isComplete() && !hasStagnated()) {
+            learnBatch();
+            splitMostActive(batch_.size() / static_cast<std::size_t>(parameters_.signalsPerSplit));
+            if (network_.collapseIsDue())
+                collapseInactive();
+        }
+    }
+
+    /// Removes the vertices that win none of the samples of a census, and grows again what was
+    /// lost, until no such vertex is left. Growth removes a vertex only after μ·n signals, in
+    /// which the network grows by a fifth: the latest misplaced vertices are still there.
+    void consolidate()
+    {
+        for (int round = 0; round < consolidationRounds && isComplete(); ++round) {
+            const std::vector<VertexId> idle = idleVertices();
+            const SampleSupport support(sampler_.bounds(), batch_);
+            report_.collapseCount += static_cast<std::uint64_t>(network_.collapse(idle, support));
+            if (isComplete())
+                return;
+            growToTarget();
+        }
+    }
+
+    std::vector<VertexId> idleVertices()
+    {
+        std::vector<bool> hasWon(network_.mesh().idBound(), false);
+        sampler_.draw(random_, static_cast<std::size_t>(censusPerVertex * network_.vertexCount()),
+                      batch_);
+        order_.sort(batch_);
+        for (const Point3 &sample : batch_)
+            hasWon[network_.findWinner(sample)] = true;
+        std::vector<VertexId> idle;
+        for (VertexId v = 0; v < hasWon.size(); ++v)
+            if (network_.mesh().isLive(v) && !hasWon[v])
+                idle.push_back(v);
+        return idle;
+    }
+
+    /// Steps 1 to 4 for each sample of a batch.
+    void learnBatch()
+    {
+        sampleBatch();
+        for (std::size_t i = 0; i < batch_.size(); ++i) {
+            const VertexId winner = network_.findWinner(batch_[i]);
+            network_.adapt(winner, batch_[i]);
+            network_.countSignal(winner, activity(winner, batch_[i]));
+            if (i % signalsPerReport == 0)
+                reportProgress();
+        }
+    }
+
+    /// What a signal counts. In the paper, 1. Here three quarters of it are the sample's distance
+    /// to the surface, so that vertices go where the error is; its root, because the distance
+    /// itself draws too many into creases and noise, and relative to its mean.
+    double activity(VertexId winner, const Point3 &sample)
+    {
+        if (parameters_.splitRule == SplitRule::paper)
+            return 1;
+        const double roughness =
+            std::sqrt(std::sqrt(projectOnStar(network_.mesh(), winner, sample).squaredDistance));
+        meanRoughness_ += (roughness - meanRoughness_) * meanWeight;
+        if (network_.vertexCount() < errorFrom * parameters_.targetVertexCount)
+            return 1;
+        const double relative = roughness / meanRoughness_;
+        return 1 - errorShare + errorShare * std::min(relative, mostRelative);
+    }
+
     void sampleBatch()
     {
         const double splits = batchPerVertex * network_.vertexCount() / parameters_.signalsPerSplit;
@@ -80,7 +168,11 @@ private:
 
     void collapseInactive()
     {
-        report_.collapseCount += static_cast<std::uint64_t>(network_.collapseInactive());
+        sampler_.draw(random_, static_cast<std::size_t>(supportPerVertex * network_.vertexCount()),
+                      batch_);
+        order_.sort(batch_);
+        report_.collapseCount += static_cast<std::uint64_t>(
+            network_.collapseInactive(SampleSupport(sampler_.bounds(), batch_)));
     }
 
     bool hasStagnated()
@@ -99,8 +191,7 @@ private:
     void reportProgress()
     {
         // Each split takes λ signals, so the share of the vertices is the share of the work.
-        report(progress_,
-               static_cast<double>(network_.vertexCount()) / parameters_.targetVertexCount,
+        report(progress_, shareOfGrowth * network_.vertexCount() / parameters_.targetVertexCount,
                "Growing the network");
     }
 
@@ -111,6 +202,7 @@ private:
     GrowingNetwork network_;
     MortonOrder order_;
     std::vector<Point3> batch_;
+    double meanRoughness_ = 0;
     GrowthReport report_;
     double countAtCheck_ = 0;
     std::uint64_t signalsAtCheck_ = 0;

@@ -7,8 +7,11 @@
 namespace neuralmesh {
 
 enum class SplitRule {
-    balanced, ///< of all splits along the longest edge, the one that leaves the evenest valences
-    paper     ///< the split that halves the star, as in the paper
+    /// Of all splits along the longest edge, the one that leaves the evenest valences; counters
+    /// weigh signals by their distance to the surface.
+    balanced,
+    /// The split that halves the star, and counters that count signals, as in the paper.
+    paper
 };
 
 struct GrowthParameters {
@@ -23,8 +26,10 @@ struct GrowthParameters {
     int smoothingPasses = 5;
     /// λ: signals for each vertex split, at least 1. Paper: 100.
     int signalsPerSplit = 100;
-    /// μ: a vertex that has not won in the last μ·n signals is removed, at least 1. Paper: 20.
-    int inactivityFactor = 20;
+    /// μ: a vertex that has not won in the last μ·n signals is removed, at least 1. Paper: 20,
+    /// which leaves a part of the webs between dino's legs; below 8, growth from rough input may
+    /// not get anywhere.
+    int inactivityFactor = 12;
     /// α, equation 7: factor by which the counters decay while the network of n vertices receives
     /// n signals, in (0, 1). The paper applies its 0.95 at every signal, which makes a counter
     /// forget all but the last 20 signals and does not reproduce its Table 1.
@@ -32,6 +37,8 @@ struct GrowthParameters {
     SplitRule splitRule = SplitRule::balanced;
     /// Whether edges are flipped after each split where that evens out valences.
     bool edgeFlips = true;
+    /// Whether growth closes with the surface fit.
+    bool surfaceFit = true;
     std::uint64_t seed = 1;
 
     /// Throws InvalidInput, naming the parameter and its range.

@@ -38,7 +38,7 @@ OppositeVertices oppositeVertices(const NeuralMesh &mesh, VertexId v, VertexId u
     return {ring[ring.next(place)], ring[ring.previous(place)]};
 }
 
-VertexId addVertex(NeuralMesh &mesh, std::vector<VertexId> &freeSlots, const Point3 &position)
+VertexId addVertex(NeuralMesh &mesh, std::vector<VertexId> &freeSlots, Point3 position)
 {
     if (freeSlots.empty()) {
         vcg::tri::Allocator<NeuralMesh>::AddVertex(mesh, position);

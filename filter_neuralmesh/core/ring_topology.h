@@ -21,7 +21,7 @@ struct OppositeVertices {
 OppositeVertices oppositeVertices(const NeuralMesh &mesh, VertexId v, VertexId u);
 
 /// A new vertex without neighbours, in a removed vertex's slot where there is one.
-VertexId addVertex(NeuralMesh &mesh, std::vector<VertexId> &freeSlots, const Point3 &position);
+VertexId addVertex(NeuralMesh &mesh, std::vector<VertexId> &freeSlots, Point3 position);
 
 /// Whether edge (v, u) may collapse: the link condition (v and u have just their two opposite
 /// vertices in common) and more than four vertices, so that a tetrahedron stays one. False where

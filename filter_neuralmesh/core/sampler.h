@@ -25,6 +25,10 @@ public:
     /// Step 1 of the paper: `count` independent samples of P, in the unit frame, into `samples`.
     virtual void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const = 0;
 
+    /// How many points the space has, repeated ones included; by default more than any network asks
+    /// for, as a surface has.
+    virtual std::size_t pointCount() const { return std::numeric_limits<std::size_t>::max(); }
+
     /// How many distinct points the space has; may stop counting at `enough`. A vertex that wins
     /// needs a point of its own, so no network can hold more vertices.
     virtual std::size_t countDistinctPoints(std::size_t enough) const { return enough; }

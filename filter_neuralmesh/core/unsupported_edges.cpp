@@ -9,8 +9,13 @@
 namespace neuralmesh {
 namespace {
 
-/// Times the local spacing from which an edge counts as unsupported.
-constexpr Scalar unsupportedRatio = 2.5;
+/// Times the local spacing from which an edge counts as overlong.
+constexpr Scalar overlongRatio = 2.5;
+
+/// An edge is supported by a sample that is no further from its middle than this, in lengths of
+/// the edge. On a surface, the height of the arc over an edge is far less; across a gap it is half
+/// the edge or more.
+constexpr Scalar supportDistance = 0.3;
 
 /// A flip must shorten by this factor to count as progress.
 constexpr Scalar shortening = 0.8;
@@ -26,41 +31,110 @@ Scalar flippedLength(const NeuralMesh &mesh, VertexId v, VertexId u)
     return distance(mesh, opposite.left, opposite.right);
 }
 
-bool flipIfMuchShorter(NeuralMesh &mesh, VertexId v, VertexId u)
-{
-    if (!canFlip(mesh, v, u) || flippedLength(mesh, v, u) > shortening * distance(mesh, v, u))
-        return false;
-    flip(mesh, v, u);
-    return true;
-}
+class WebRetraction {
+public:
+    WebRetraction(NeuralMesh &mesh, const SampleSupport &support) : mesh_(mesh), support_(support)
+    {
+    }
 
-/// Where the opposite vertices lie on different sides of the void, flipping a long edge of the rim
-/// first puts another vertex opposite. Tries each of the four rim edges.
-bool flipAfterNeighbour(NeuralMesh &mesh, VertexId v, VertexId u)
-{
-    const Scalar length = distance(mesh, v, u);
-    const OppositeVertices opposite = oppositeVertices(mesh, v, u);
-    const VertexId rim[4][2] = {
-        {v, opposite.left}, {u, opposite.left}, {v, opposite.right}, {u, opposite.right}};
-    for (const auto &[end, corner] : rim) {
-        if (!isUnsupported(mesh, end, corner) || !canFlip(mesh, end, corner))
-            continue;
-        const Scalar before = length + distance(mesh, end, corner);
-        const Scalar rimAfter = flippedLength(mesh, end, corner);
-        const OppositeVertices undo = oppositeVertices(mesh, end, corner);
-        flip(mesh, end, corner);
-        if (mesh.ring(v).contains(u) && canFlip(mesh, v, u) &&
-            flippedLength(mesh, v, u) <= shortening * length &&
-            flippedLength(mesh, v, u) + rimAfter <= shortening * before) {
-            flip(mesh, v, u);
+    int run()
+    {
+        int flips = 0;
+        spacing_.resize(mesh_.idBound());
+        for (VertexId v = mesh_.idBound(); v-- > 0;) {
+            if (!mesh_.isLive(v))
+                continue;
+            open_.push_back(v);
+            spacing_[v] = localSpacing(mesh_, v);
+        }
+        while (!open_.empty()) {
+            const VertexId v = open_.back();
+            open_.pop_back();
+            flips += retractAt(v) ? 1 : 0;
+        }
+        return flips;
+    }
+
+private:
+    /// Flips the first edge of v that can be. A flip frees the edges around it: its four corners
+    /// are looked at again.
+    bool retractAt(VertexId v)
+    {
+        for (int i = 0; i < mesh_.valence(v); ++i) {
+            const VertexId u = mesh_.ring(v)[i];
+            if (!isWeb(v, u))
+                continue;
+            const OppositeVertices opposite = oppositeVertices(mesh_, v, u);
+            if (!flipIfMuchShorter(v, u) && !flipAfterNeighbour(v, u))
+                continue;
+            for (const VertexId corner : {opposite.right, opposite.left, u, v}) {
+                open_.push_back(corner);
+                spacing_[corner] = localSpacing(mesh_, corner);
+            }
             return true;
         }
-        flip(mesh, undo.left, undo.right);
+        return false;
     }
-    return false;
-}
+
+    bool isWeb(VertexId v, VertexId u) const
+    {
+        const Scalar spacing = (spacing_[v] + spacing_[u]) / 2;
+        return distance(mesh_, v, u) > overlongRatio * spacing || !support_.supports(mesh_, v, u);
+    }
+
+    bool flipIfMuchShorter(VertexId v, VertexId u)
+    {
+        if (!canFlip(mesh_, v, u) ||
+            flippedLength(mesh_, v, u) > shortening * distance(mesh_, v, u))
+            return false;
+        flip(mesh_, v, u);
+        return true;
+    }
+
+    /// Where the opposite vertices lie on different sides of the void, flipping an edge of the
+    /// web next to it first puts another vertex opposite. Tries each of the four.
+    bool flipAfterNeighbour(VertexId v, VertexId u)
+    {
+        const Scalar length = distance(mesh_, v, u);
+        const OppositeVertices opposite = oppositeVertices(mesh_, v, u);
+        const VertexId rim[4][2] = {
+            {v, opposite.left}, {u, opposite.left}, {v, opposite.right}, {u, opposite.right}};
+        for (const auto &[end, corner] : rim) {
+            if (!isWeb(end, corner) || !canFlip(mesh_, end, corner))
+                continue;
+            const Scalar before = length + distance(mesh_, end, corner);
+            const Scalar rimAfter = flippedLength(mesh_, end, corner);
+            const OppositeVertices undo = oppositeVertices(mesh_, end, corner);
+            flip(mesh_, end, corner);
+            if (canFlip(mesh_, v, u) && flippedLength(mesh_, v, u) <= shortening * length &&
+                flippedLength(mesh_, v, u) + rimAfter <= shortening * before) {
+                flip(mesh_, v, u);
+                return true;
+            }
+            flip(mesh_, undo.left, undo.right);
+        }
+        return false;
+    }
+
+    NeuralMesh &mesh_;
+    const SampleSupport &support_;
+    std::vector<VertexId> open_;
+    std::vector<Scalar> spacing_; ///< by id, kept in step at the corners of each flip
+};
 
 } // namespace
+
+SampleSupport::SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples) : grid_(bounds)
+{
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        grid_.insert(static_cast<VertexId>(i), samples[i]);
+}
+
+bool SampleSupport::supports(const NeuralMesh &mesh, VertexId v, VertexId u) const
+{
+    const Point3 middle = (mesh.position(v) + mesh.position(u)) / 2;
+    return grid_.hasWithin(middle, supportDistance * distance(mesh, v, u));
+}
 
 Scalar localSpacing(const NeuralMesh &mesh, VertexId v)
 {
@@ -75,36 +149,15 @@ Scalar localSpacing(const NeuralMesh &mesh, VertexId v)
     return (std::sqrt(shortest[0]) + std::sqrt(shortest[1]) + std::sqrt(shortest[2])) / 3;
 }
 
-bool isUnsupported(const NeuralMesh &mesh, VertexId v, VertexId u)
+bool isOverlong(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     const Scalar spacing = (localSpacing(mesh, v) + localSpacing(mesh, u)) / 2;
-    return distance(mesh, v, u) > unsupportedRatio * spacing;
+    return distance(mesh, v, u) > overlongRatio * spacing;
 }
 
-int retractWebs(NeuralMesh &mesh)
+int retractWebs(NeuralMesh &mesh, const SampleSupport &support)
 {
-    int flips = 0;
-    std::vector<VertexId> open;
-    for (VertexId v = mesh.idBound(); v-- > 0;)
-        if (mesh.isLive(v))
-            open.push_back(v);
-    // A flip frees edges around it: its four corners are looked at again.
-    while (!open.empty()) {
-        const VertexId v = open.back();
-        open.pop_back();
-        for (int i = 0; i < mesh.valence(v); ++i) {
-            const VertexId u = mesh.ring(v)[i];
-            if (!isUnsupported(mesh, v, u))
-                continue;
-            const OppositeVertices opposite = oppositeVertices(mesh, v, u);
-            if (!flipIfMuchShorter(mesh, v, u) && !flipAfterNeighbour(mesh, v, u))
-                continue;
-            ++flips;
-            open.insert(open.end(), {opposite.right, opposite.left, u, v});
-            break;
-        }
-    }
-    return flips;
+    return WebRetraction(mesh, support).run();
 }
 
 } // namespace neuralmesh

@@ -9,20 +9,36 @@
 // until it has gone, like a zip.
 #pragma once
 
+#include <vector>
+
 #include "neural_mesh.h"
+#include "vertex_grid.h"
 
 namespace neuralmesh {
+
+/// Where the target space is: a set of its samples that can be asked for the nearest.
+class SampleSupport {
+public:
+    SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples);
+
+    /// Whether edge (v, u) runs along the target space: a sample lies near its middle, compared
+    /// with its length.
+    bool supports(const NeuralMesh &mesh, VertexId v, VertexId u) const;
+
+private:
+    VertexGrid grid_;
+};
 
 /// Spacing of the vertices around v: the mean length of its three shortest edges, which stays true
 /// where up to half of the star is a web.
 Scalar localSpacing(const NeuralMesh &mesh, VertexId v);
 
 /// Whether edge (v, u) is several times as long as the spacing at its ends, as edges across a void
-/// are and edges along the surface are not.
-bool isUnsupported(const NeuralMesh &mesh, VertexId v, VertexId u);
+/// are and edges along the surface are not. Needs no samples.
+bool isOverlong(const NeuralMesh &mesh, VertexId v, VertexId u);
 
-/// Flips unsupported edges into shorter ones until no such flip is left. Returns the number of
-/// flips. The sum of the edge lengths falls with each, so this ends.
-int retractWebs(NeuralMesh &mesh);
+/// Flips edges that are overlong or not supported into shorter ones until no such flip is left.
+/// Returns the number of flips. The sum of the edge lengths falls with each, so this ends.
+int retractWebs(NeuralMesh &mesh, const SampleSupport &support);
 
 } // namespace neuralmesh

@@ -11,9 +11,9 @@ namespace {
 
 /// Cell of a coordinate, clamped into the grid. Clamping is monotone, so a range of coordinates
 /// never misses the clamped cell of a point inside the range.
-int clampedCell(Scalar coordinate, Scalar origin, Scalar cellSize, int cells)
+int clampedCell(Scalar coordinate, Scalar origin, Scalar cellsPerUnit, int cells)
 {
-    const Scalar place = (coordinate - origin) / cellSize;
+    const Scalar place = (coordinate - origin) * cellsPerUnit;
     if (!(place > 0))
         return 0;
     return place < static_cast<Scalar>(cells) ? static_cast<int>(place) : cells - 1;
@@ -33,9 +33,9 @@ VertexGrid::VertexGrid(const Box3 &bounds) : bounds_(bounds)
 
 VertexGrid::CellCoordinates VertexGrid::coordinates(const Point3 &position) const
 {
-    return {clampedCell(position.X(), bounds_.min.X(), cellSize_, cellsX_),
-            clampedCell(position.Y(), bounds_.min.Y(), cellSize_, cellsY_),
-            clampedCell(position.Z(), bounds_.min.Z(), cellSize_, cellsZ_)};
+    return {clampedCell(position.X(), bounds_.min.X(), cellsPerUnit_, cellsX_),
+            clampedCell(position.Y(), bounds_.min.Y(), cellsPerUnit_, cellsY_),
+            clampedCell(position.Z(), bounds_.min.Z(), cellsPerUnit_, cellsZ_)};
 }
 
 VertexGrid::CellId VertexGrid::cellAt(const CellCoordinates &c) const
@@ -124,7 +124,7 @@ void VertexGrid::layOutCells(std::size_t cellCount)
                              cellsAlong(extent.Z(), middle);
         (cells > static_cast<double>(cellCount) ? low : high) = middle;
     }
-    cellSize_ = high;
+    cellsPerUnit_ = 1 / high;
     cellsX_ = static_cast<int>(cellsAlong(extent.X(), high));
     cellsY_ = static_cast<int>(cellsAlong(extent.Y(), high));
     cellsZ_ = static_cast<int>(cellsAlong(extent.Z(), high));
@@ -180,6 +180,22 @@ VertexId VertexGrid::nearest(const Point3 &query, VertexId hint) const
             for (int x = low.x; x <= high.x; ++x)
                 improve(cellAt({x, y, z}), query, best);
     return best.id;
+}
+
+bool VertexGrid::hasWithin(const Point3 &query, Scalar radius, int count) const
+{
+    const Scalar squaredRadius = radius * radius;
+    const CellCoordinates low = coordinates(query - Point3(radius, radius, radius));
+    const CellCoordinates high = coordinates(query + Point3(radius, radius, radius));
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x)
+                for (VertexId id = firstInCell_[cellAt({x, y, z})]; id != noVertex;
+                     id = entries_[id].next)
+                    if ((entries_[id].position - query).SquaredNorm() <= squaredRadius &&
+                        --count <= 0)
+                        return true;
+    return false;
 }
 
 } // namespace neuralmesh

@@ -32,6 +32,9 @@ public:
     /// in an empty grid. A hint, any vertex that may be near, saves time and changes nothing.
     VertexId nearest(const Point3 &query, VertexId hint = noVertex) const;
 
+    /// Whether at least `count` vertices lie within the radius, the border included.
+    bool hasWithin(const Point3 &query, Scalar radius, int count = 1) const;
+
 private:
     using CellId = std::uint32_t;
     static constexpr CellId noCell = 0xffffffffU;
@@ -64,7 +67,7 @@ private:
     Candidate anyNearby(const Point3 &query) const;
 
     Box3 bounds_;
-    Scalar cellSize_ = 1;
+    Scalar cellsPerUnit_ = 1;
     int cellsX_ = 1, cellsY_ = 1, cellsZ_ = 1;
     std::vector<VertexId> firstInCell_;
     std::vector<Entry> entries_;

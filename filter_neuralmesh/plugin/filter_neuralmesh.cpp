@@ -124,6 +124,9 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     log(summary(result));
+    if (sampler.outlierShare() > 0)
+        log("About %.1f %% of the points stand alone and were taken for outliers.",
+            100 * sampler.outlierShare());
     addLayer(document, result.mesh, sampler.frame(), resultLabel(input));
     return resultValues(result);
 }

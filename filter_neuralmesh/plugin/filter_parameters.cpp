@@ -54,7 +54,9 @@ void addGrowthParameters(RichParameterList &list)
     list.addParam(RichEnum("SplitRule", static_cast<int>(d.splitRule),
                            {"Balanced valences", "As in the paper"}, "Split rule",
                            "How the star of a vertex is divided when it is split along its longest "
-                           "edge: so that valences come out even, or in halves.",
+                           "edge: so that valences come out even, and signals count more where the "
+                           "error is; or in halves, with every signal counting the same, as in the "
+                           "paper.",
                            advanced));
     list.addParam(RichBool("EdgeFlips", d.edgeFlips, "Edge flips",
                            "Flips edges after each split where that evens out the valences and "
@@ -75,6 +77,9 @@ RichParameterList reconstructionParameters()
     list.addParam(RichInt("RandomSeed", static_cast<int>(d.seed), "Random seed",
                           "The same seed gives the same mesh. 0 takes a fresh seed and reports "
                           "it."));
+    list.addParam(RichBool("SurfaceFit", d.surfaceFit, "Surface fit",
+                           "Closes with a fit of the faces to the points: several times more "
+                           "accurate, for a sixth more time."));
     addGrowthParameters(list);
     return list;
 }
@@ -90,6 +95,7 @@ neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &param
     growth.inactivityFactor = parameters.getInt("InactivityFactor");
     growth.counterDecay = parameters.getFloat("CounterDecay");
     growth.splitRule = static_cast<neuralmesh::SplitRule>(parameters.getEnum("SplitRule"));
+    growth.surfaceFit = parameters.getBool("SurfaceFit");
     growth.edgeFlips = parameters.getBool("EdgeFlips");
     growth.seed = readSeed(parameters);
     return growth;

@@ -17,6 +17,9 @@ namespace {
 /// above the rounding of single-precision input, below any real relief.
 constexpr double flatExtent = 1e-6;
 
+/// Up to so many points are sifted for outliers beforehand; of more, those that are drawn.
+constexpr std::size_t mostPointsSifted = 200000;
+
 struct PointHash {
     std::size_t operator()(const Point3 &p) const
     {
@@ -113,13 +116,35 @@ PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d> &world)
         throw InvalidInput("Only " + std::to_string(distinct) +
                            " distinct points: a closed surface needs at least 4.");
     requireSolid(points_);
+    setAsideOutliers();
+}
+
+void PointCloudSampler::setAsideOutliers()
+{
+    OutlierFilter filter(points_, bounds_);
+    outlierShare_ = filter.share();
+    if (!filter.isActive())
+        return;
+    if (points_.size() > mostPointsSifted) {
+        outliers_.emplace(std::move(filter));
+        return;
+    }
+    const auto end = std::remove_if(points_.begin(), points_.end(),
+                                    [&](const Point3 &point) { return filter.isOutlier(point); });
+    points_.erase(end, points_.end());
 }
 
 void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Point3> &samples) const
 {
     samples.resize(count);
-    for (Point3 &sample : samples)
-        sample = points_[random.below(points_.size())];
+    for (Point3 &sample : samples) {
+        // At most a fifth are outliers: 64 in a row do not happen.
+        for (int tries = 0; tries < 64; ++tries) {
+            sample = points_[random.below(points_.size())];
+            if (!outliers_ || !outliers_->isOutlier(sample))
+                break;
+        }
+    }
 }
 
 std::size_t PointCloudSampler::countDistinctPoints(std::size_t enough) const

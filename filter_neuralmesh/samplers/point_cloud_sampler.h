@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "core/sampler.h"
+#include "samplers/outlier_filter.h"
 
 namespace neuralmesh {
 
-/// A point cloud as target space: every point with the same probability (equation 1).
+/// A point cloud as target space: every point with the same probability (equation 1), but for
+/// outliers, which are not drawn.
 class PointCloudSampler : public Sampler {
 public:
     /// Takes points in world coordinates. Throws InvalidInput where fewer than four are distinct,
@@ -16,9 +20,17 @@ public:
     const UnitFrame &frame() const override { return frame_; }
     Box3 bounds() const override { return bounds_; }
     void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const override;
+    std::size_t pointCount() const override { return points_.size(); }
     std::size_t countDistinctPoints(std::size_t enough) const override;
 
+    /// Estimated share of the points that are outliers.
+    double outlierShare() const { return outlierShare_; }
+
 private:
+    void setAsideOutliers();
+
+    double outlierShare_ = 0;
+    std::optional<OutlierFilter> outliers_; ///< where there are any, in a large cloud
     UnitFrame frame_;
     Box3 bounds_;
     std::vector<Point3> points_; ///< in the unit frame

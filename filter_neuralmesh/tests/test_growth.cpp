@@ -89,6 +89,8 @@ TEST(Growth, reproduces_table_1_with_the_papers_split_and_a_long_memory)
     for (const int target : {1000, 5000}) {
         GrowthParameters parameters = withTarget(target);
         parameters.splitRule = SplitRule::paper;
+        parameters.edgeFlips = false;
+        parameters.surfaceFit = false;
         NeuralMesh mesh;
         grow(mesh, sampler, parameters);
         const ValenceShares shares = valenceShares(mesh);
@@ -204,6 +206,8 @@ TEST(Growth, every_parameter_changes_the_result)
     changes([](GrowthParameters &p) { p.inactivityFactor = 1; });
     changes([](GrowthParameters &p) { p.counterDecay = 0.5; });
     changes([](GrowthParameters &p) { p.splitRule = SplitRule::paper; });
+    changes([](GrowthParameters &p) { p.edgeFlips = false; });
+    changes([](GrowthParameters &p) { p.surfaceFit = false; });
     changes([](GrowthParameters &p) { p.seed = 9; });
 }
 

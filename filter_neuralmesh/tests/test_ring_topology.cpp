@@ -52,8 +52,8 @@ bool vcgAcceptsCollapse(const NeuralMesh &source, VertexId v, VertexId u)
         return false;
     vcg::tri::UpdateTopology<NeuralMesh>::FaceFace(mesh);
     Clean::RemoveUnreferencedVertex(mesh);
-    return Clean::IsWaterTight(mesh) && Clean::CountNonManifoldEdgeFF(mesh) == 0 &&
-           Clean::CountNonManifoldVertexFF(mesh) == 0 && mesh.vn == source.vn - 1;
+    return Clean::IsWaterTight(mesh) && Clean::CountNonManifoldVertexFF(mesh) == 0 &&
+           mesh.vn == source.vn - 1;
 }
 
 void compareCollapsesWithVcg(NeuralMesh &mesh)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "core/random.h"
@@ -71,6 +72,12 @@ void churn(const Box3 &bounds, std::uint64_t seed, int operations)
             ASSERT_EQ(grid.nearest(p), expected) << "operation " << i;
             ASSERT_EQ(grid.nearest(p, hint), expected) << "with a hint, operation " << i;
             hint = id;
+            const Scalar radius = 0.3 * random.unit();
+            const auto within = std::count_if(positions.begin(), positions.end(), [&](auto &entry) {
+                return (entry.second - p).SquaredNorm() <= radius * radius;
+            });
+            ASSERT_EQ(grid.hasWithin(p, radius), within >= 1);
+            ASSERT_EQ(grid.hasWithin(p, radius, 3), within >= 3);
         }
         ASSERT_EQ(grid.size(), positions.size());
     }

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fixtures: the built plugin in the real PyMeshLab, and the wheel's own sample meshes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pymeshlab
+import pytest
+from numpy.typing import NDArray
+
+ROOT = Path(__file__).resolve().parent.parent
+PLUGIN = ROOT / "build" / "pymeshlab" / "libfilter_neuralmesh.so"
+SAMPLE_MESHES = Path(pymeshlab.__file__).resolve().parent / "tests" / "sample_meshes"
+
+
+@pytest.fixture(scope="session")
+def plugin() -> Path:
+    """Load the plugin, once a process; a missing build fails the tests, it does not skip them."""
+    if not PLUGIN.is_file():
+        pytest.fail(f"{PLUGIN} is missing: run scripts/build", pytrace=False)
+    pymeshlab.load_plugin(str(PLUGIN))
+    return PLUGIN
+
+
+@pytest.fixture
+def mesh_set(plugin: Path) -> pymeshlab.MeshSet:
+    """An empty document with our filters at hand."""
+    return pymeshlab.MeshSet(verbose=False)
+
+
+@pytest.fixture(scope="session")
+def sample_meshes() -> Path:
+    """The folder of bunny.obj and the other meshes that the pymeshlab wheel brings."""
+    return SAMPLE_MESHES
+
+
+@pytest.fixture(scope="session")
+def bunny_array(sample_meshes: Path) -> NDArray[np.float64]:
+    """The vertices of bunny.obj, shape (28088, 3). Not to be written to."""
+    document = pymeshlab.MeshSet(verbose=False)
+    document.load_new_mesh(str(sample_meshes / "bunny.obj"))
+    points = np.array(document.current_mesh().vertex_matrix())
+    points.flags.writeable = False
+    return points
+
+
+@pytest.fixture
+def bunny_points(
+    mesh_set: pymeshlab.MeshSet, bunny_array: NDArray[np.float64]
+) -> pymeshlab.MeshSet:
+    """A document whose only layer, `bunny`, is the 28,088 points of bunny.obj, without faces."""
+    mesh_set.add_mesh(pymeshlab.Mesh(bunny_array), "bunny")
+    return mesh_set

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The README says what is so: its Python runs as printed, its tables list what there is."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from documents import FILTER, document_of, reconstruct, sphere_points
+
+ROOT = Path(__file__).resolve().parent.parent
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+SNIPPETS = re.findall(r"^```python\n(.*?)^```$", README, flags=re.MULTILINE | re.DOTALL)
+
+
+def section(title: str) -> str:
+    """Return the text between a heading and the next one."""
+    found = re.search(rf"^#+ {re.escape(title)}\n(.*?)(?=^#|\Z)", README, re.MULTILINE | re.DOTALL)
+    assert found, f"README.md has no section '{title}'"
+    return found.group(1)
+
+
+def table_rows(text: str) -> list[list[str]]:
+    """Return the cells of a table's rows, without its head."""
+    lines = [line for line in text.splitlines() if line.startswith("|")]
+    return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
+
+
+def test_there_is_a_python_snippet() -> None:
+    assert SNIPPETS
+
+
+@pytest.mark.parametrize("code", SNIPPETS)
+def test_python_snippet_runs_as_printed(code: str, plugin: Path, tmp_path: Path) -> None:
+    # In a folder of its own that shows the build, as the project's root does.
+    (tmp_path / "build").symlink_to(plugin.parent.parent, target_is_directory=True)
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert run.returncode == 0, run.stderr
+    promised = re.search(r"It prints `(.*?)`", README)
+    assert promised
+    assert promised.group(1) in run.stdout.splitlines()
+    assert (tmp_path / "bunny_2000.ply").stat().st_size > 0
+
+
+def test_parameter_table_lists_all_parameters_with_their_defaults(plugin: Path) -> None:
+    printed = {row[0].strip("`"): row[1] for row in table_rows(section("Parameters"))}
+    actual = document_of(sphere_points(10)).filter_parameter_values(FILTER)
+    shown = {
+        name: f"{value:.6g}" if isinstance(value, float) else str(value)
+        for name, value in actual.items()
+    }
+    assert printed == shown
+
+
+def test_table_of_results_lists_all_keys(plugin: Path) -> None:
+    printed = [
+        key
+        for row in table_rows(section("What it returns"))
+        for key in re.findall(r"`(.*?)`", row[0])
+    ]
+    result = reconstruct(document_of(sphere_points(50)), targetvertnum=10)
+    assert sorted(printed) == sorted(result)
+
+
+@pytest.mark.parametrize("target", re.findall(r"\]\(([^)]+)\)", README))
+def test_links_lead_to_files(target: str) -> None:
+    assert (ROOT / target).is_file()

@@ -1,0 +1,101 @@
+"""The table: one group a model and condition, one row a method, in Markdown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import asdict
+from typing import Any
+
+from quality import models
+from quality.inputs import CONDITIONS
+from quality.run import Group, Row
+
+HEADINGS = (
+    "method",
+    "V",
+    "RMS to mesh %",
+    "÷ Poisson est.",
+    "÷ Poisson true",
+    "RMS to surface %",
+    "max to mesh %",
+    "max to surface %",
+    "self-int.",
+    "boundary",
+    "non-man.",
+    "genus",
+    "comp.",
+    "min angle °",
+    "1 % angle °",
+    "valence 6 %",
+    "5–7 %",
+    "s",
+)
+
+LEGEND = """Distances are in per cent of the bounding box diagonal of the clean surface, "to mesh"
+from that surface, "to surface" from the result. The two ÷ columns divide the RMS to mesh by that of
+screened Poisson with estimated and with true normals. self-int.: faces that intersect another;
+boundary, non-man.: edges; comp.: components; 1 % angle: the angle that the worst 1 % of faces
+stay under. A genus of – is undefined (open or non-manifold). s: all the method's seconds;
+* marks a row from the cache, its seconds measured in an earlier run."""
+
+
+def group_markdown(group: Group, rows: list[Row]) -> str:
+    """The heading and the rows of one case."""
+    label = CONDITIONS[group.condition].label
+    lines = [f"\n### {group.model}, {label}, {group.vertices:,} vertices (seed {group.seed})\n"]
+    lines.append("| " + " | ".join(HEADINGS) + " |")
+    lines.append("|---|" + "--:|" * (len(HEADINGS) - 1))
+    by_method = {row.method: row for row in rows}
+    lines += ["| " + " | ".join(_cells(row, by_method)) + " |" for row in rows]
+    return "\n".join(lines)
+
+
+def _cells(row: Row, by_method: dict[str, Row]) -> list[str]:
+    if row.failed:
+        return [row.method, f"failed: {row.values['failure']}", *[""] * (len(HEADINGS) - 2)]
+    v = row.values
+    return [
+        row.method,
+        f"{v['vertices']:,}",
+        f"{v['rms_to_mesh']:.4f}",
+        ratio_text(row, by_method.get("poisson-estimated")),
+        ratio_text(row, by_method.get("poisson-true")),
+        f"{v['rms_to_surface']:.4f}",
+        f"{v['max_to_mesh']:.3f}",
+        f"{v['max_to_surface']:.3f}",
+        str(v["self_intersecting"]),
+        str(v["boundary_edges"]),
+        str(v["non_manifold_edges"]),
+        "–" if v["genus"] is None else str(v["genus"]),
+        str(v["components"]),
+        f"{v['min_angle']:.1f}",
+        f"{v['angle_1_percent']:.1f}",
+        f"{v['valence_6']:.1f}",
+        f"{v['valence_5_to_7']:.1f}",
+        f"{v['seconds']:.2f}{'*' if row.from_cache else ''}",
+    ]
+
+
+def ratio_text(row: Row, peer: Row | None) -> str:
+    """The row's RMS from surface to mesh divided by the peer's; empty without one."""
+    if peer is None or peer.failed or peer.method == row.method:
+        return ""
+    return f"{row.values['rms_to_mesh'] / peer.values['rms_to_mesh']:.2f}"
+
+
+def why_these(names: Iterable[str]) -> str:
+    """One line a model: why it is in the table."""
+    return "\n".join(f"- {name}: {models.MODELS[name].why}" for name in names)
+
+
+def as_json(rows: list[Row]) -> list[dict[str, Any]]:
+    """Rows as plain dictionaries, one a row, metrics at the top level."""
+    return [
+        {
+            **asdict(row.group),
+            "method": row.method,
+            "from_cache": row.from_cache,
+            **{**row.values, "target": row.group.vertices},
+        }
+        for row in rows
+    ]
