@@ -67,7 +67,8 @@ def test_reported_figures_describe_the_mesh(bunny_points: pymeshlab.MeshSet) -> 
     assert histogram.sum() == mesh.vertex_number() == 500
     np.testing.assert_array_equal(histogram, valences_of(mesh.face_matrix(), 500))
     assert result["splits"] >= 500 - 4  # from a tetrahedron; more where vertices were removed
-    assert result["signals"] >= 50 * (500 - 4)
+    # Below 500 vertices, a split takes half of the signals.
+    assert result["signals"] >= 25 * (500 - 4)
     assert 0 < result["seconds"] < 60
 
 
@@ -191,6 +192,7 @@ PARAMETERS_THAT_MATTER = [
     ("counterdecay", 0.5),
     ("splitrule", "As in the paper"),
     ("edgeflips", False),
+    ("surfacefit", False),
 ]
 
 

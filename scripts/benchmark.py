@@ -4,6 +4,7 @@
     benchmark.py --quality                        the README's table: eight models, four conditions
     benchmark.py --quality --models bunny,dino --conditions clean --methods ours
                                                   ours alone; peers' rows come from the cache
+    benchmark.py --speed                          time, as a ratio, in one process
     benchmark.py --quality --summary              what was asked, what was measured
     benchmark.py --quality --models bunny --ours splitrule=1 --ours smoothingpasses=3
                                                   more rows of ours, with other parameters
@@ -20,10 +21,12 @@ import sys
 from pathlib import Path
 
 import datasets
+import pymeshlab
 from quality import bars, models, report
 from quality.inputs import CONDITIONS
 from quality.methods import METHODS
 from quality.run import Group, Method, Row, Settings, run_group
+from speed import compare_speed
 
 ROOT = Path(__file__).resolve().parent.parent
 ONLY_IF_ASKED = ("ours-no-fit", "poisson-cleaned")
@@ -37,6 +40,10 @@ def parse_arguments() -> argparse.Namespace:
     )
     what = parser.add_argument_group("what to measure")
     what.add_argument("--quality", action="store_true", help="errors, topology and shape")
+    what.add_argument(
+        "--speed", action="store_true", help="time against Poisson and decimation, on the bunny"
+    )
+    what.add_argument("--runs", type=int, default=5, help="of each method for --speed (default 5)")
 
     quality = parser.add_argument_group("quality")
     quality.add_argument(
@@ -70,8 +77,8 @@ def parse_arguments() -> argparse.Namespace:
     quality.add_argument("--json", type=Path, metavar="FILE", help="write all rows")
     quality.add_argument("--summary", action="store_true", help="asked and measured, a line each")
     options = parser.parse_args()
-    if not options.quality:
-        parser.error("nothing to measure: give --quality")
+    if not options.quality and not options.speed:
+        parser.error("nothing to measure: give --quality or --speed")
     options.models = _names(parser, "model", options.models, list(models.MODELS))
     options.conditions = _names(parser, "condition", options.conditions, list(CONDITIONS))
     options.methods = _names(parser, "method", options.methods, list(METHODS))
@@ -165,7 +172,10 @@ def run_quality(options: argparse.Namespace) -> int:
 def main() -> int:
     """Run what the command line asks for."""
     options = parse_arguments()
-    return run_quality(options)
+    if options.speed:
+        pymeshlab.load_plugin(str(options.plugin))
+        print(compare_speed(options.vertices or 5000, options.runs).text(), flush=True)
+    return run_quality(options) if options.quality else 0
 
 
 if __name__ == "__main__":

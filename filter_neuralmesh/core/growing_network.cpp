@@ -76,41 +76,54 @@ void GrowingNetwork::adapt(VertexId winner, const Point3 &sample)
     position += (sample - position) * parameters_.winnerRate;
     grid_.move(winner, position);
 
-    // The normals are those before smoothing, taken once for all passes: a pass moves a vertex by
-    // a few per cent of an edge at most.
+    smoothNeighbours(winner);
+}
+
+void GrowingNetwork::smoothNeighbours(VertexId winner)
+{
+    // Normals and sums are taken once for all passes. Then a pass only follows what the smoothed
+    // vertices do to each other's sums, each to those of the two next to it on the ring: normals
+    // hardly turn, and other neighbours among them (chords of the ring) are rare.
     const NeighbourRing &ring = mesh_.ring(winner);
-    ringNormals_.clear();
+    const auto count = static_cast<std::size_t>(ring.size());
+    smoothed_.clear();
     for (const VertexId v : ring)
-        ringNormals_.push_back(normal(v));
-    for (int pass = 0; pass < parameters_.smoothingPasses; ++pass)
-        for (int i = 0; i < ring.size(); ++i)
-            smoothTangentially(ring[i], ringNormals_[static_cast<std::size_t>(i)]);
-    for (const VertexId v : ring)
-        grid_.move(v, mesh_.position(v));
+        smoothed_.push_back(neighbourhood(v));
+    for (int pass = 0; pass < parameters_.smoothingPasses; ++pass) {
+        for (Neighbourhood &v : smoothed_) {
+            const Point3 laplacian = v.sum * v.share - v.position;                   // equation 3
+            const Point3 tangential = laplacian - v.normal * (laplacian * v.normal); // equation 4
+            v.step = tangential * parameters_.smoothingRate;                         // equation 5
+            v.position += v.step;
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            smoothed_[i].sum += smoothed_[i + 1 < count ? i + 1 : 0].step +
+                                smoothed_[i > 0 ? i - 1 : count - 1].step;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        moveVertex(ring[static_cast<int>(i)], smoothed_[i].position);
+}
+
+GrowingNetwork::Neighbourhood GrowingNetwork::neighbourhood(VertexId v) const
+{
+    const NeighbourRing &ring = mesh_.ring(v);
+    const Point3 &centre = mesh_.position(v);
+    Point3 normal(0, 0, 0);
+    Point3 sum(0, 0, 0); // relative to the centre
+    Point3 previous = mesh_.position(ring[ring.size() - 1]) - centre;
+    for (const VertexId u : ring) {
+        const Point3 edge = mesh_.position(u) - centre;
+        normal += previous ^ edge;
+        sum += edge;
+        previous = edge;
+    }
+    const auto valence = static_cast<Scalar>(ring.size());
+    return {centre, sum + centre * valence, normal.Normalize(), {0, 0, 0}, 1 / valence};
 }
 
 Point3 GrowingNetwork::normal(VertexId v) const
 {
-    const NeighbourRing &ring = mesh_.ring(v);
-    const Point3 &centre = mesh_.position(v);
-    Point3 sum(0, 0, 0);
-    Point3 previous = mesh_.position(ring[ring.size() - 1]) - centre;
-    for (const VertexId u : ring) {
-        const Point3 edge = mesh_.position(u) - centre;
-        sum += previous ^ edge;
-        previous = edge;
-    }
-    return sum.Normalize();
-}
-
-void GrowingNetwork::smoothTangentially(VertexId v, const Point3 &normal)
-{
-    const NeighbourRing &ring = mesh_.ring(v);
-    Point3 sum(0, 0, 0);
-    for (const VertexId u : ring)
-        sum += mesh_.position(u);
-    const Point3 laplacian = sum / static_cast<Scalar>(ring.size()) - mesh_.position(v);
-    mesh_.position(v) += (laplacian - normal * (laplacian * normal)) * parameters_.smoothingRate;
+    return neighbourhood(v).normal;
 }
 
 void GrowingNetwork::countSignal(VertexId winner, double amount)

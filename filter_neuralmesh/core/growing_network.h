@@ -67,11 +67,21 @@ public:
     bool collapseIsDue() const;
 
 private:
+    /// What smoothing needs of a vertex.
+    struct Neighbourhood {
+        Point3 position;
+        Point3 sum; ///< of the neighbours' positions
+        Point3 normal;
+        Point3 step;  ///< of the last pass
+        Scalar share; ///< of one neighbour in the mean: 1 / valence
+    };
+
     struct StarSpan {
         int first, last; ///< ring places, counter-clockwise
     };
 
-    void smoothTangentially(VertexId v, const Point3 &normal);
+    void smoothNeighbours(VertexId winner);
+    Neighbourhood neighbourhood(VertexId v) const;
     int longestEdge(VertexId v) const;
     StarSpan halvingSpan(VertexId v, int edge) const;
     StarSpan balancedSpan(VertexId v, int edge) const;
@@ -88,7 +98,7 @@ private:
     SignalCounters counters_;
     std::vector<std::uint64_t> lastWin_; ///< by id: signals_ when the vertex last won or was made
     std::vector<VertexId> freeSlots_;
-    std::vector<Point3> ringNormals_; ///< scratch of adapt()
+    std::vector<Neighbourhood> smoothed_; ///< scratch of smoothNeighbours()
     double decayPerSignal_ = 1;
     std::uint64_t signals_ = 0;
     std::uint64_t lastCollapse_ = 0;

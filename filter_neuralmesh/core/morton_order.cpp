@@ -45,11 +45,31 @@ void MortonOrder::sort(std::vector<Point3> &points)
     keyed_.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         keyed_[i] = (static_cast<std::uint64_t>(key(points[i])) << 32) | i;
-    std::sort(keyed_.begin(), keyed_.end());
+    sortByKey();
     sorted_.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         sorted_[i] = points[keyed_[i] & 0xffffffffU];
     points.swap(sorted_);
+}
+
+void MortonOrder::sortByKey()
+{
+    // Radix sort, stable, from the lowest digit of the 30-bit keys to the highest: several times
+    // faster than a sort by comparison, which would take a tenth of the whole time.
+    constexpr int digits = 3;
+    constexpr std::size_t buckets = std::size_t(1) << (3 * bitsPerAxis / digits);
+    moved_.resize(keyed_.size());
+    for (int digit = 0; digit < digits; ++digit) {
+        const int shift = 32 + digit * (3 * bitsPerAxis / digits);
+        std::size_t starts[buckets + 1] = {};
+        for (const std::uint64_t entry : keyed_)
+            ++starts[(entry >> shift) % buckets + 1];
+        for (std::size_t i = 1; i <= buckets; ++i)
+            starts[i] += starts[i - 1];
+        for (const std::uint64_t entry : keyed_)
+            moved_[starts[(entry >> shift) % buckets]++] = entry;
+        keyed_.swap(moved_);
+    }
 }
 
 } // namespace neuralmesh

@@ -18,10 +18,12 @@ public:
 
 private:
     std::uint32_t key(const Point3 &point) const;
+    void sortByKey();
 
     Point3 origin_;
     Scalar cellsPerUnit_;
     std::vector<std::uint64_t> keyed_; ///< key and place of each point, scratch
+    std::vector<std::uint64_t> moved_; ///< scratch
     std::vector<Point3> sorted_;       ///< scratch
 };
 

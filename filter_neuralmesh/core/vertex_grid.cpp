@@ -169,7 +169,8 @@ VertexId VertexGrid::nearest(const Point3 &query, VertexId hint) const
     Candidate best = contains(hint)
                          ? Candidate{(entries_[hint].position - query).SquaredNorm(), hint}
                          : anyNearby(query);
-    improve(cellAt(coordinates(query)), query, best);
+    const CellId own = cellAt(coordinates(query));
+    improve(own, query, best);
     const Scalar radius = std::sqrt(best.squaredDistance);
     // The rounding of the root must not lose a vertex at exactly the best distance.
     const Scalar reach = radius * (1 + 4 * std::numeric_limits<Scalar>::epsilon());
@@ -178,23 +179,33 @@ VertexId VertexGrid::nearest(const Point3 &query, VertexId hint) const
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x)
-                improve(cellAt({x, y, z}), query, best);
+                if (const CellId cell = cellAt({x, y, z}); cell != own)
+                    improve(cell, query, best);
     return best.id;
+}
+
+bool VertexGrid::countDown(CellId cell, const Point3 &query, Scalar squaredRadius, int &count) const
+{
+    for (VertexId id = firstInCell_[cell]; id != noVertex; id = entries_[id].next)
+        if ((entries_[id].position - query).SquaredNorm() <= squaredRadius && --count <= 0)
+            return true;
+    return false;
 }
 
 bool VertexGrid::hasWithin(const Point3 &query, Scalar radius, int count) const
 {
     const Scalar squaredRadius = radius * radius;
+    const CellId own = cellAt(coordinates(query));
+    if (countDown(own, query, squaredRadius, count))
+        return true;
     const CellCoordinates low = coordinates(query - Point3(radius, radius, radius));
     const CellCoordinates high = coordinates(query + Point3(radius, radius, radius));
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x)
-                for (VertexId id = firstInCell_[cellAt({x, y, z})]; id != noVertex;
-                     id = entries_[id].next)
-                    if ((entries_[id].position - query).SquaredNorm() <= squaredRadius &&
-                        --count <= 0)
-                        return true;
+                if (const CellId cell = cellAt({x, y, z});
+                    cell != own && countDown(cell, query, squaredRadius, count))
+                    return true;
     return false;
 }
 

@@ -64,6 +64,8 @@ private:
     void regridIfNeeded();
     void layOutCells(std::size_t cellCount);
     void improve(CellId cell, const Point3 &query, Candidate &best) const;
+    /// Takes the vertices of a cell within the radius off `count`; whether none is left to find.
+    bool countDown(CellId cell, const Point3 &query, Scalar squaredRadius, int &count) const;
     Candidate anyNearby(const Point3 &query) const;
 
     Box3 bounds_;
