@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "error_measure.h"
 #include "growing_network.h"
 #include "mesh_checks.h"
 #include "morton_order.h"
@@ -33,6 +34,12 @@ constexpr double errorFrom = 0.4;
 /// Weight of a new sample in the running mean.
 constexpr double meanWeight = 0.001;
 
+/// Samples for each vertex by which the error is measured, of the result and on the way.
+constexpr std::size_t samplesPerErrorMeasure = 6;
+constexpr std::size_t samplesPerConvergence = 2;
+/// Vertices at the first entry of the convergence.
+constexpr int firstDoubling = 8;
+
 /// Vertices up to which a network is young.
 constexpr int youngVertices = 500;
 
@@ -60,7 +67,8 @@ public:
     Growth(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
            Random &random, const Progress &progress)
         : parameters_(parameters), sampler_(sampler), progress_(progress), random_(random),
-          network_(mesh, sampler.bounds(), parameters), order_(sampler.bounds())
+          measuring_(parameters.seed + 1), network_(mesh, sampler.bounds(), parameters),
+          order_(sampler.bounds())
     {
     }
 
@@ -73,6 +81,10 @@ public:
                 report(progress_, shareOfGrowth + (1 - shareOfGrowth) * fraction, activity);
                 return true;
             });
+        const ErrorFigures error =
+            measureError(network_, sampler_, measuring_, samplesPerErrorMeasure);
+        report_.rmsError = error.rms;
+        report_.maxError = error.largest;
         report_.signalCount = network_.signals();
         report_.reachedTarget = isComplete();
         return report_;
@@ -181,7 +193,17 @@ private:
                 return;
             network_.splitMostActive();
             ++report_.splitCount;
+            noteConvergence();
         }
+    }
+
+    /// At the first time that the network has 8, 16, 32 ... vertices.
+    void noteConvergence()
+    {
+        if (network_.vertexCount() < firstDoubling << report_.convergence.size())
+            return;
+        report_.convergence.push_back(
+            measureError(network_, sampler_, measuring_, samplesPerConvergence).rms);
     }
 
     void collapseInactive()
@@ -217,6 +239,7 @@ private:
     const Sampler &sampler_;
     const Progress &progress_;
     Random &random_;
+    Random measuring_; ///< of its own, so that measuring changes nothing
     GrowingNetwork network_;
     MortonOrder order_;
     std::vector<Point3> batch_;

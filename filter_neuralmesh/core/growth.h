@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "growth_parameters.h"
 #include "neural_mesh.h"
@@ -17,6 +18,12 @@ struct GrowthReport {
     std::uint64_t splitCount = 0;
     std::uint64_t collapseCount = 0;
     bool reachedTarget = false;
+    /// Distances of fresh samples from the result, in the unit frame.
+    double rmsError = 0;
+    double maxError = 0;
+    /// Root mean square distance of samples from the growing network, in the unit frame, as it
+    /// reached 8, 16, 32 ... vertices: entry k at 8 * 2^k.
+    std::vector<double> convergence;
 };
 
 /// Grows `mesh` from a tetrahedron towards the sampler's target space, to exactly

@@ -118,6 +118,7 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
 
     Reconstruction result;
     result.seed = growthParameters.seed;
+    result.diagonal = sampler.frame().diagonal();
     result.growth =
         neuralmesh::grow(result.mesh, sampler, growthParameters, throttledProgress(callback));
     result.seconds =

@@ -7,13 +7,21 @@
 
 #include "core/mesh_checks.h"
 
+namespace {
+
+template <class T> QVariant toVector(const std::vector<T> &values, double scale)
+{
+    Eigen::VectorXd vector(static_cast<Eigen::Index>(values.size()));
+    for (std::size_t k = 0; k < values.size(); ++k)
+        vector[static_cast<Eigen::Index>(k)] = scale * values[k];
+    return QVariant::fromValue(vector);
+}
+
+} // namespace
+
 std::map<std::string, QVariant> resultValues(const Reconstruction &result)
 {
     const neuralmesh::TopologyFigures topology = neuralmesh::measureTopology(result.mesh);
-    const std::vector<int> histogram = neuralmesh::valenceHistogram(result.mesh);
-    Eigen::VectorXd valences(static_cast<Eigen::Index>(histogram.size()));
-    for (std::size_t k = 0; k < histogram.size(); ++k)
-        valences[static_cast<Eigen::Index>(k)] = histogram[k];
     return {{"vertices", topology.vertices},
             {"faces", topology.faces},
             {"genus", topology.genus},
@@ -25,16 +33,21 @@ std::map<std::string, QVariant> resultValues(const Reconstruction &result)
             {"signals", static_cast<double>(result.growth.signalCount)},
             {"seconds", result.seconds},
             {"reached_target", result.growth.reachedTarget},
-            {"valence_histogram", QVariant::fromValue(valences)}};
+            {"rms_error", result.growth.rmsError * result.diagonal},
+            {"max_error", result.growth.maxError * result.diagonal},
+            {"convergence", toVector(result.growth.convergence, result.diagonal)},
+            {"valence_histogram", toVector(neuralmesh::valenceHistogram(result.mesh), 1)}};
 }
 
 std::string summary(const Reconstruction &result)
 {
     char figures[256];
     std::snprintf(figures, sizeof figures,
-                  "Neural mesh: %d vertices, %d faces; %.3g signals, %.0f splits, %.0f collapses, "
+                  "Neural mesh: %d vertices, %d faces, RMS error %.3g; %.3g signals, %.0f splits, "
+                  "%.0f collapses, "
                   "seed %.0f, %.2f s.",
-                  result.mesh.vn, result.mesh.fn, static_cast<double>(result.growth.signalCount),
+                  result.mesh.vn, result.mesh.fn, result.growth.rmsError * result.diagonal,
+                  static_cast<double>(result.growth.signalCount),
                   static_cast<double>(result.growth.splitCount),
                   static_cast<double>(result.growth.collapseCount),
                   static_cast<double>(result.seed), result.seconds);

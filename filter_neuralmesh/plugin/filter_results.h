@@ -12,6 +12,7 @@ struct Reconstruction {
     neuralmesh::NeuralMesh mesh;
     neuralmesh::GrowthReport growth;
     std::uint64_t seed = 0;
+    double diagonal = 0; ///< of the input's bounding box: errors of the growth are in units of it
     double seconds = 0;
 };
 

@@ -163,6 +163,19 @@ TEST(Growth, progress_rises_from_nothing_to_all)
     EXPECT_GT(last, 0.95);
 }
 
+TEST(Growth, reports_errors_that_fall_as_the_network_grows)
+{
+    const PointCloudSampler sampler(densePointsOnSphere());
+    NeuralMesh mesh;
+    const GrowthReport report = grow(mesh, sampler, withTarget(1000));
+    ASSERT_EQ(report.convergence.size(), 7U); // at 8, 16, ... 512
+    for (std::size_t k = 1; k < report.convergence.size(); ++k)
+        EXPECT_LT(report.convergence[k], report.convergence[k - 1]);
+    EXPECT_LT(report.rmsError, report.convergence.back());
+    EXPECT_GT(report.maxError, report.rmsError);
+    EXPECT_LT(report.maxError, 10 * report.rmsError);
+}
+
 TEST(Growth, refuses_parameters_out_of_range)
 {
     const PointCloudSampler sampler(densePointsOnSphere());
