@@ -173,7 +173,9 @@ private:
     std::size_t signalsPerSplit() const
     {
         const auto lambda = static_cast<std::size_t>(parameters_.signalsPerSplit);
-        return network_.vertexCount() < youngVertices ? (lambda + 1) / 2 : lambda;
+        const bool isYoung =
+            parameters_.splitRule == SplitRule::balanced && network_.vertexCount() < youngVertices;
+        return isYoung ? (lambda + 1) / 2 : lambda;
     }
 
     void sampleBatch()

@@ -8,9 +8,10 @@ namespace neuralmesh {
 
 enum class SplitRule {
     /// Of all splits along the longest edge, the one that leaves the evenest valences; counters
-    /// weigh signals by their distance to the surface.
+    /// weigh signals by their distance to the surface, and the first vertices are split at half λ.
     balanced,
-    /// The split that halves the star, and counters that count signals, as in the paper.
+    /// The split that halves the star, counters that count signals, and λ throughout, as in the
+    /// paper.
     paper
 };
 
