@@ -53,7 +53,8 @@ std::string summary(const Reconstruction &result)
                   static_cast<double>(result.seed), result.seconds);
     std::string text = figures;
     if (!result.growth.reachedTarget)
-        text += " TargetVertNum was not reached: the input has too few points for more vertices, "
-                "each new one takes the points of another.";
+        text += " TargetVertNum was not reached: splits and collapses came to balance each other. "
+                "Either the target is close to the number of points, or InactivityFactor or "
+                "SignalsPerSplit is too low.";
     return text;
 }
