@@ -144,8 +144,8 @@ def test_a_target_above_the_bunnys_points_is_refused_at_once(
     start = time.perf_counter()
     assert_refused(
         bunny_points,
-        "TargetVertNum is 30000, but the input has only 28088 distinct points: at most 28088 "
-        "vertices are possible.",
+        "TargetVertNum is 30000, but there are only 28088 distinct points to draw from: "
+        "at most 28088 vertices are possible.",
         targetvertnum=30000,
     )
     # Growing to 28,088 vertices takes some 10 s, counting points milliseconds.
@@ -157,8 +157,8 @@ def test_coinciding_points_count_once_for_the_largest_target() -> None:
     points = np.vstack([GOOD_POINTS, GOOD_POINTS[::-1], [[0.0, 0.0, 0.0]], [[-0.0, 0.0, -0.0]]])
     assert_refused(
         document_of(points),
-        "TargetVertNum is 52, but the input has only 51 distinct points: at most 51 vertices are "
-        "possible.",
+        "TargetVertNum is 52, but there are only 51 distinct points to draw from: "
+        "at most 51 vertices are possible.",
         targetvertnum=52,
     )
 

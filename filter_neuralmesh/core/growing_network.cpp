@@ -61,13 +61,11 @@ std::vector<VertexId> GrowingNetwork::findIntersectingVertices()
     return neuralmesh::findIntersectingVertices(mesh_);
 }
 
-int GrowingNetwork::evenValences()
+void GrowingNetwork::evenValences()
 {
-    int flips = 0;
     for (VertexId v = 0; v < mesh_.idBound(); ++v)
         if (mesh_.isLive(v))
-            flips += evenValencesAround(mesh_, v);
-    return flips;
+            evenValencesAround(mesh_, v);
 }
 
 void GrowingNetwork::adapt(VertexId winner, const Point3 &sample)

@@ -40,13 +40,14 @@ public:
     std::vector<VertexId> findIntersectingVertices();
 
     /// Flips edges all over the mesh where that evens out the valences or widens angles.
-    int evenValences();
+    void evenValences();
 
     /// Step 3: moves the winner towards the sample (equation 2) and smooths its neighbours within
     /// their tangent planes (equations 3 to 5).
     void adapt(VertexId winner, const Point3 &sample);
 
-    /// Step 4: counts the signal for the winner and decays all counters (equations 6 and 7).
+    /// Step 4: counts the signal for the winner and decays all counters (equations 6 and 7). In the
+    /// paper every signal counts 1.
     void countSignal(VertexId winner, double amount = 1);
 
     /// Step 5: splits the vertex with the highest counter along its longest edge.

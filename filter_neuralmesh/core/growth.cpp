@@ -126,9 +126,7 @@ private:
         // Where the points are few, a vertex may have only one of them.
         const auto vertices = static_cast<std::size_t>(network_.vertexCount());
         const std::size_t points = sampler_.pointCount();
-        sampler_.draw(random_, censusPerVertex * (points < 4 * vertices ? points : vertices),
-                      batch_);
-        order_.sort(batch_);
+        drawBatch(censusPerVertex * (points < 4 * vertices ? points : vertices));
         for (const Point3 &sample : batch_)
             hasWon[network_.findWinner(sample)] = true;
         std::vector<VertexId> idle;
@@ -182,16 +180,20 @@ private:
     {
         const auto lambda = static_cast<double>(signalsPerSplit());
         const double splits = batchPerVertex * network_.vertexCount() / lambda;
-        const std::size_t signals =
-            static_cast<std::size_t>(std::max(1.0, splits)) * signalsPerSplit();
-        sampler_.draw(random_, signals, batch_);
+        drawBatch(static_cast<std::size_t>(std::max(1.0, splits)) * signalsPerSplit());
+    }
+
+    /// Step 1, for a whole batch, sorted by space.
+    void drawBatch(std::size_t count)
+    {
+        sampler_.draw(random_, count, batch_);
         order_.sort(batch_);
     }
 
     void splitMostActive(std::size_t times)
     {
         for (std::size_t i = 0; i < times; ++i) {
-            if (network_.vertexCount() == parameters_.targetVertexCount)
+            if (isComplete())
                 return;
             network_.splitMostActive();
             ++report_.splitCount;
@@ -210,9 +212,7 @@ private:
 
     void collapseInactive()
     {
-        sampler_.draw(random_, static_cast<std::size_t>(supportPerVertex * network_.vertexCount()),
-                      batch_);
-        order_.sort(batch_);
+        drawBatch(static_cast<std::size_t>(supportPerVertex * network_.vertexCount()));
         report_.collapseCount += static_cast<std::uint64_t>(
             network_.collapseInactive(SampleSupport(sampler_.bounds(), batch_)));
     }
@@ -256,10 +256,9 @@ void requireEnoughPoints(const Sampler &sampler, int target)
     const auto wanted = static_cast<std::size_t>(target);
     const std::size_t distinct = sampler.countDistinctPoints(wanted);
     if (distinct < wanted)
-        throw InvalidInput("TargetVertNum is " + std::to_string(target) +
-                           ", but the input has only " + std::to_string(distinct) +
-                           " distinct points: at most " + std::to_string(distinct) +
-                           " vertices are possible.");
+        throw InvalidInput("TargetVertNum is " + std::to_string(target) + ", but there are only " +
+                           std::to_string(distinct) + " distinct points to draw from: at most " +
+                           std::to_string(distinct) + " vertices are possible.");
 }
 
 } // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "starting_mesh.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "point_statistics.h"
 #include "ring_topology.h"
 
 namespace neuralmesh {
@@ -27,25 +27,15 @@ void makeTetrahedron(NeuralMesh &mesh, const Point3 &centre, Scalar circumradius
 void makeTetrahedronIn(NeuralMesh &mesh, const std::vector<Point3> &samples)
 {
     constexpr double leastDeviation = 0.01;
-    const auto toEigen = [](const Point3 &p) { return Eigen::Vector3d(p.X(), p.Y(), p.Z()); };
-    const auto count = static_cast<double>(samples.size());
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Point3 &sample : samples)
-        mean += toEigen(sample) / count;
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (const Point3 &sample : samples)
-        covariance += (toEigen(sample) - mean) * (toEigen(sample) - mean).transpose() / count;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(covariance);
-    Eigen::Matrix3d axes = principal.eigenvectors();
-    if (axes.determinant() < 0)
-        axes.col(0) *= -1;
+    PrincipalAxes frame = principalAxes(samples);
+    if (frame.axes.determinant() < 0)
+        frame.axes.col(0) *= -1;
     for (int i = 0; i < 3; ++i)
-        axes.col(i) *=
-            std::max(std::sqrt(std::max(principal.eigenvalues()[i], 0.0)), leastDeviation);
+        frame.axes.col(i) *= std::max(std::sqrt(frame.variances[i]), leastDeviation);
 
     makeTetrahedron(mesh, {0, 0, 0}, std::sqrt(Scalar(3)));
     for (NeuralVertex &vertex : mesh.vert) {
-        const Eigen::Vector3d corner = mean + axes * toEigen(vertex.cP());
+        const Eigen::Vector3d corner = frame.mean + frame.axes * toEigen(vertex.cP());
         vertex.P() = Point3(corner[0], corner[1], corner[2]);
     }
 }

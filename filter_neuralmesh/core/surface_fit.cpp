@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface_fit.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "morton_order.h"
+#include "point_statistics.h"
 #include "star_projection.h"
 #include "triangle.h"
 
@@ -44,11 +45,6 @@ constexpr Scalar longestMove = 0.3;
 constexpr int halvings = 4;
 /// Cosine between a face's normals before and after a sweep, at the least.
 constexpr Scalar leastTurn = 0.5;
-
-Eigen::Vector3d toEigen(const Point3 &p)
-{
-    return {p.X(), p.Y(), p.Z()};
-}
 
 double squared(double x)
 {
@@ -235,10 +231,9 @@ private:
         for (VertexId v = 0; v < mesh_.idBound(); ++v)
             if (mesh_.isLive(v))
                 scatter.push_back(std::sqrt(noiseVariance(v)) / around_[v].meanEdge);
-        const auto middle = scatter.begin() + static_cast<std::ptrdiff_t>(scatter.size() / 2);
-        std::nth_element(scatter.begin(), middle, scatter.end());
-        noise_ =
-            std::clamp((*middle - scatterOfRelief) / (scatterOfNoise - scatterOfRelief), 0.0, 1.0);
+        noise_ = std::clamp((median(std::move(scatter)) - scatterOfRelief) /
+                                (scatterOfNoise - scatterOfRelief),
+                            0.0, 1.0);
     }
 
     /// The Gauss-Newton step of the vertex alone, from three sources weighted by their precision:

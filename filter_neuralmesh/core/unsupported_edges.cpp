@@ -25,6 +25,12 @@ Scalar distance(const NeuralMesh &mesh, VertexId v, VertexId u)
     return (mesh.position(v) - mesh.position(u)).Norm();
 }
 
+/// Whether an edge is overlong for the spacings at its ends.
+bool exceeds(Scalar length, Scalar spacing, Scalar otherSpacing)
+{
+    return length > overlongRatio * (spacing + otherSpacing) / 2;
+}
+
 Scalar flippedLength(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     const OppositeVertices opposite = oppositeVertices(mesh, v, u);
@@ -78,8 +84,8 @@ private:
 
     bool isWeb(VertexId v, VertexId u) const
     {
-        const Scalar spacing = (spacing_[v] + spacing_[u]) / 2;
-        return distance(mesh_, v, u) > overlongRatio * spacing || !support_.supports(mesh_, v, u);
+        return exceeds(distance(mesh_, v, u), spacing_[v], spacing_[u]) ||
+               !support_.supports(mesh_, v, u);
     }
 
     bool flipIfMuchShorter(VertexId v, VertexId u)
@@ -151,8 +157,7 @@ Scalar localSpacing(const NeuralMesh &mesh, VertexId v)
 
 bool isOverlong(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
-    const Scalar spacing = (localSpacing(mesh, v) + localSpacing(mesh, u)) / 2;
-    return distance(mesh, v, u) > overlongRatio * spacing;
+    return exceeds(distance(mesh, v, u), localSpacing(mesh, v), localSpacing(mesh, u));
 }
 
 int retractWebs(NeuralMesh &mesh, const SampleSupport &support)

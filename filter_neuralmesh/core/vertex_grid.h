@@ -14,7 +14,8 @@ namespace neuralmesh {
 
 class VertexGrid {
 public:
-    /// Cells for each vertex at the time of a rebuild; see bench/bench_vertex_grid.cpp.
+    /// Cells for each vertex at the time of a rebuild; findWinner in bench/bench_steps.cpp times
+    /// it.
     static constexpr double cellsPerVertex = 4;
 
     /// Points may lie outside the bounds: they go to the outermost cells, where they cost time

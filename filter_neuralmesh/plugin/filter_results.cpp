@@ -26,7 +26,7 @@ std::map<std::string, QVariant> resultValues(const Reconstruction &result)
             {"faces", topology.faces},
             {"genus", topology.genus},
             {"components", topology.components},
-            {"boundary_loops", 0}, // validate() knows closed meshes only
+            {"boundary_loops", 0}, // closed by construction: rings have no ends
             {"splits", static_cast<int>(result.growth.splitCount)},
             {"collapses", static_cast<int>(result.growth.collapseCount)},
             {"seed", static_cast<int>(result.seed)},
@@ -44,8 +44,7 @@ std::string summary(const Reconstruction &result)
     char figures[256];
     std::snprintf(figures, sizeof figures,
                   "Neural mesh: %d vertices, %d faces, RMS error %.3g; %.3g signals, %.0f splits, "
-                  "%.0f collapses, "
-                  "seed %.0f, %.2f s.",
+                  "%.0f collapses, seed %.0f, %.2f s.",
                   result.mesh.vn, result.mesh.fn, result.growth.rmsError * result.diagonal,
                   static_cast<double>(result.growth.signalCount),
                   static_cast<double>(result.growth.splitCount),

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samplers/outlier_filter.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include <vcg/space/index/kdtree/kdtree.h>
 
+#include "core/point_statistics.h"
+
 namespace neuralmesh {
 namespace {
 
+/// Of fewer points, none is an outlier: each may have been set by hand.
+constexpr std::size_t leastPoints = 1000;
 constexpr std::size_t pilotPoints = 20000;
 /// Points whose distance to the fourth neighbour is measured.
 constexpr std::size_t measuredPoints = 1000;
@@ -26,13 +29,6 @@ constexpr int surfaceNeighbours = 8;
 constexpr double mostSurfaceVariation = 0.06;
 /// Above this share there are no outliers.
 constexpr double mostOutliers = 0.2;
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// Every n-th point, as many as asked for or all.
 std::vector<Point3> thinned(const std::vector<Point3> &points, std::size_t count)
@@ -70,17 +66,11 @@ public:
     {
         tree_.doQueryK(point, k + 1, queue_);
         const int count = queue_.getNofElements();
-        Eigen::Matrix3Xd around(3, count);
-        for (int i = 0; i < count; ++i) {
-            const Point3 &p = pilot_[static_cast<std::size_t>(queue_.getIndex(i))];
-            around.col(i) = Eigen::Vector3d(p.X(), p.Y(), p.Z());
-        }
-        around.colwise() -= around.rowwise().mean().eval();
-        const Eigen::Matrix3d covariance = around * around.transpose();
-        const Eigen::Vector3d values =
-            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly)
-                .eigenvalues();
-        return values.sum() > 0 ? std::max(values[0], 0.0) / values.sum() : 0;
+        std::vector<Point3> around;
+        for (int i = 0; i < count; ++i)
+            around.push_back(pilot_[static_cast<std::size_t>(queue_.getIndex(i))]);
+        const Eigen::Vector3d variances = principalAxes(around).variances;
+        return variances.sum() > 0 ? variances[0] / variances.sum() : 0;
     }
 
 private:
@@ -120,23 +110,23 @@ bool lieOnSurfaces(PilotTree &tree, const std::vector<Point3> &alone)
 OutlierFilter::OutlierFilter(const std::vector<Point3> &points, const Box3 &bounds)
     : pilotGrid_(bounds)
 {
-    const std::vector<Point3> pilot = thinned(points, pilotPoints);
-    if (pilot.size() <= surfaceNeighbours)
+    if (points.size() < leastPoints)
         return;
+    const std::vector<Point3> pilot = thinned(points, pilotPoints);
     for (std::size_t i = 0; i < pilot.size(); ++i)
         pilotGrid_.insert(static_cast<VertexId>(i), pilot[i]);
     PilotTree tree(pilot);
     radius_ = measureRadius(tree, pilot);
     std::vector<Point3> alone;
     for (const Point3 &point : pilot)
-        if (isOutlier(point))
+        if (standsAlone(point))
             alone.push_back(point);
     const double share = static_cast<double>(alone.size()) / static_cast<double>(pilot.size());
     if (!alone.empty() && share <= mostOutliers && !lieOnSurfaces(tree, alone))
         share_ = share;
 }
 
-bool OutlierFilter::isOutlier(const Point3 &point) const
+bool OutlierFilter::standsAlone(const Point3 &point) const
 {
     // A pilot point finds itself, another point does not: one more or less of four is no matter.
     return radius_ > 0 && !pilotGrid_.hasWithin(point, radius_, neighbours + 1);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/vertex_grid.h"
@@ -13,9 +12,10 @@ namespace neuralmesh {
 ///
 /// A point is an outlier where fewer than four pilot points lie within a radius that is several
 /// times the usual distance to the fourth. Where the density of the cloud varies, so does that
-/// distance, and the radius grows with its spread. None is an outlier where more than a fifth of
-/// the points would be, or where those that would be lie on surfaces of their own, as a sparsely
-/// scanned part does: that is how the cloud is, not dirt in it.
+/// distance, and the radius grows with its spread. None is an outlier in a cloud of fewer than
+/// 1,000 points, where more than a fifth of the points would be, or where those that would be lie
+/// on surfaces of their own, as a sparsely scanned part does: that is how the cloud is, not dirt in
+/// it.
 class OutlierFilter {
 public:
     /// Learns from the points, in the unit frame.
@@ -27,9 +27,11 @@ public:
     /// Share of outliers among the pilot points, in [0, 0.2].
     double share() const { return share_; }
 
-    bool isOutlier(const Point3 &point) const;
+    bool isOutlier(const Point3 &point) const { return isActive() && standsAlone(point); }
 
 private:
+    bool standsAlone(const Point3 &point) const;
+
     VertexGrid pilotGrid_;
     Scalar radius_ = 0;
     double share_ = 0;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samplers/point_cloud_sampler.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <unordered_set>
 
 #include "core/errors.h"
+#include "core/point_statistics.h"
 
 namespace neuralmesh {
 namespace {
@@ -54,27 +55,14 @@ void requireFinite(const std::vector<vcg::Point3d> &points)
             std::to_string(first) + "). Remove them and try again.");
 }
 
-Eigen::Vector3d toEigen(const Point3 &p)
-{
-    return {p.X(), p.Y(), p.Z()};
-}
-
 /// Widths of the points along their principal axes, ascending, in units of the diagonal.
 Eigen::Vector3d principalWidths(const std::vector<Point3> &points)
 {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const Point3 &p : points)
-        mean += toEigen(p);
-    mean /= static_cast<double>(points.size());
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (const Point3 &p : points)
-        covariance += (toEigen(p) - mean) * (toEigen(p) - mean).transpose();
-    const Eigen::Matrix3d axes =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
+    const PrincipalAxes frame = principalAxes(points);
     Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Vector3d high = -low;
     for (const Point3 &p : points) {
-        const Eigen::Vector3d along = axes.transpose() * (toEigen(p) - mean);
+        const Eigen::Vector3d along = frame.axes.transpose() * (toEigen(p) - frame.mean);
         low = low.cwiseMin(along);
         high = high.cwiseMax(along);
     }
@@ -115,8 +103,8 @@ PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d> &world)
     if (const std::size_t distinct = countDistinctPoints(4); distinct < 4)
         throw InvalidInput("Only " + std::to_string(distinct) +
                            " distinct points: a closed surface needs at least 4.");
-    requireSolid(points_);
     setAsideOutliers();
+    requireSolid(points_);
 }
 
 void PointCloudSampler::setAsideOutliers()

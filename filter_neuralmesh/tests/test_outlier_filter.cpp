@@ -54,10 +54,6 @@ TEST(OutlierFilter, finds_points_that_stand_alone_and_no_others)
 TEST(OutlierFilter, takes_a_sparse_half_for_a_surface)
 {
     // The lower half holds a twenty-fifth of the points: five times the spacing.
-    std::vector<Point3> points;
-    for (const vcg::Point3d &p : test::spherePoints(20000, 3))
-        if (p.Z() > 0 || points.size() % 25 == 0)
-            points.push_back(p);
     Random random(4);
     std::vector<Point3> varied;
     for (const vcg::Point3d &p : test::spherePoints(20000, 5))
@@ -65,6 +61,15 @@ TEST(OutlierFilter, takes_a_sparse_half_for_a_surface)
             varied.push_back(p);
     const OutlierFilter filter(varied, boundsOf(varied));
     EXPECT_LT(filter.share(), 0.01);
+}
+
+TEST(OutlierFilter, leaves_small_clouds_alone)
+{
+    std::vector<Point3> points = test::spherePoints(900, 6);
+    points.emplace_back(9, 9, 9);
+    const OutlierFilter filter(points, boundsOf(points));
+    EXPECT_FALSE(filter.isActive());
+    EXPECT_FALSE(filter.isOutlier(points.back()));
 }
 
 TEST(OutlierFilter, a_sampler_draws_no_outliers)
