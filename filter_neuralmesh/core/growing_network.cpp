@@ -10,6 +10,7 @@
 #include "ring_topology.h"
 #include "self_intersections.h"
 #include "unsupported_edges.h"
+#include "web_removal.h"
 
 namespace neuralmesh {
 namespace {
@@ -20,6 +21,12 @@ constexpr int idealValence = 6;
 /// target, there may be vertices that win next to nothing: collapsed at once and split again, they
 /// would keep the network a tetrahedron for ever.
 constexpr int fewVertices = 50;
+
+/// Vertices from which whole webs are taken out. A coarser network spans everything.
+constexpr int webVertices = 1000;
+
+/// How far around a sample other sheets are looked for, in mean lengths of the winner's edges.
+constexpr Scalar sheetDistance = 0.8;
 
 int squared(int x)
 {
@@ -48,6 +55,25 @@ VertexId GrowingNetwork::findWinner(const Point3 &sample)
 {
     lastWinner_ = grid_.nearest(sample, lastWinner_);
     return lastWinner_;
+}
+
+StarProjection GrowingNetwork::project(VertexId winner, const Point3 &sample) const
+{
+    StarProjection best = projectOnStar(mesh_, winner, sample);
+    const NeighbourRing &ring = mesh_.ring(winner);
+    Scalar edges = 0;
+    for (const VertexId u : ring)
+        edges += (mesh_.position(u) - mesh_.position(winner)).Norm();
+    const Scalar reach = std::max((mesh_.position(winner) - sample).Norm(),
+                                  sheetDistance * edges / static_cast<Scalar>(ring.size()));
+    grid_.forEachWithin(sample, reach, [&](VertexId v) {
+        if (v == winner || ring.contains(v))
+            return;
+        const StarProjection p = projectOnStar(mesh_, v, sample);
+        if (p.squaredDistance < best.squaredDistance)
+            best = p;
+    });
+    return best;
 }
 
 void GrowingNetwork::moveVertex(VertexId v, const Point3 &position)
@@ -252,15 +278,24 @@ int GrowingNetwork::collapseInactive(const SampleSupport &support)
 
 int GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const SampleSupport &support)
 {
-    int removed = 0;
+    const int before = vertexCount();
     for (const VertexId v : vertices)
-        if (const VertexId into = bestCollapse(v); into != noVertex) {
+        if (const VertexId into = bestCollapse(v); into != noVertex)
             remove(v, into);
-            ++removed;
-        }
     retractWebs(mesh_, support);
+    if (parameters_.splitRule == SplitRule::balanced && vertexCount() >= webVertices)
+        removeWebs(support);
     updateDecay();
-    return removed;
+    return before - vertexCount();
+}
+
+void GrowingNetwork::removeWebs(const SampleSupport &support)
+{
+    for (const Refilling &web : findWebs(mesh_, support)) {
+        refillDisc(mesh_, web.rim, web.interior, web.triangles, freeSlots_);
+        for (const VertexId v : web.interior)
+            forget(v);
+    }
 }
 
 VertexId GrowingNetwork::bestCollapse(VertexId v) const
@@ -284,6 +319,11 @@ VertexId GrowingNetwork::bestCollapse(VertexId v) const
 void GrowingNetwork::remove(VertexId v, VertexId into)
 {
     neuralmesh::collapse(mesh_, v, into, freeSlots_);
+    forget(v);
+}
+
+void GrowingNetwork::forget(VertexId v)
+{
     grid_.erase(v);
     counters_.erase(v);
 }

@@ -7,8 +7,9 @@
 
 #include "growth_parameters.h"
 #include "neural_mesh.h"
+#include "sample_support.h"
 #include "signal_counters.h"
-#include "unsupported_edges.h"
+#include "star_projection.h"
 #include "vertex_grid.h"
 
 namespace neuralmesh {
@@ -28,6 +29,11 @@ public:
 
     /// Step 2: the vertex nearest to the sample. Fast where the sample is near the last one.
     VertexId findWinner(const Point3 &sample);
+
+    /// The point of the mesh nearest to the sample, given its winner. Looks at the winner's star
+    /// and at those of other vertices near the sample: where two sheets run close to each other,
+    /// the nearest vertex may lie on one and the nearest face on the other.
+    StarProjection project(VertexId winner, const Point3 &sample) const;
 
     /// Unit normal of a vertex, outwards: the sum of its faces' normals, weighted by area. Zero
     /// where the star has no area.
@@ -58,7 +64,8 @@ public:
     /// stays. Returns how many were removed.
     int collapseInactive(const SampleSupport &support);
 
-    /// Removes these vertices in the same way, then retracts the webs that this leaves.
+    /// Removes these vertices in the same way, then the webs that this leaves. Returns how many
+    /// vertices fewer there are.
     int collapse(const std::vector<VertexId> &vertices, const SampleSupport &support);
 
     /// μ·n signals: a vertex that wins none of so many is inactive.
@@ -91,6 +98,8 @@ private:
     bool isInactive(VertexId v) const;
     VertexId bestCollapse(VertexId v) const;
     void remove(VertexId v, VertexId into);
+    void removeWebs(const SampleSupport &support);
+    void forget(VertexId v);
     void updateDecay();
 
     GrowthParameters parameters_;

@@ -54,7 +54,8 @@ constexpr int consolidationRounds = 10;
 /// Samples of a census for each vertex: one with the average share misses all with e^-10.
 constexpr std::size_t censusPerVertex = 10;
 /// Samples for each vertex that tell where the target space is, when webs are looked for.
-constexpr int supportPerVertex = 6;
+constexpr int supportPerVertex = 12;
+constexpr int supportPerVertexOfPaper = 6; // whole webs are not looked for there
 
 /// Growth has come to a stop where it gains less than this share of its vertices...
 constexpr double leastGain = 0.05;
@@ -141,12 +142,26 @@ private:
     {
         sampleBatch();
         for (std::size_t i = 0; i < batch_.size(); ++i) {
-            const VertexId winner = network_.findWinner(batch_[i]);
+            const VertexId winner = findWinner(batch_[i]);
             network_.adapt(winner, batch_[i]);
             network_.countSignal(winner, activity(winner, batch_[i]));
             if (i % signalsPerReport == 0)
                 reportProgress();
         }
+    }
+
+    /// Step 2. In the paper, the nearest vertex. Here, where the nearest face is of another sheet,
+    /// its nearest corner: otherwise each of two walls that are closer than their vertices is drawn
+    /// to the samples of both, and they become one in the middle.
+    VertexId findWinner(const Point3 &sample)
+    {
+        const VertexId nearest = network_.findWinner(sample);
+        if (parameters_.splitRule == SplitRule::paper || network_.vertexCount() < youngVertices)
+            return nearest;
+        const StarProjection p = network_.project(nearest, sample);
+        if (p.corners[0] == nearest)
+            return nearest;
+        return p.corners[std::max_element(p.weights, p.weights + 3) - p.weights];
     }
 
     /// What a signal counts. In the paper, 1. Here three quarters of it are the sample's distance
@@ -212,7 +227,9 @@ private:
 
     void collapseInactive()
     {
-        drawBatch(static_cast<std::size_t>(supportPerVertex * network_.vertexCount()));
+        const int perVertex =
+            parameters_.splitRule == SplitRule::paper ? supportPerVertexOfPaper : supportPerVertex;
+        drawBatch(static_cast<std::size_t>(perVertex * network_.vertexCount()));
         report_.collapseCount += static_cast<std::uint64_t>(
             network_.collapseInactive(SampleSupport(sampler_.bounds(), batch_)));
     }

@@ -8,10 +8,11 @@ namespace neuralmesh {
 
 enum class SplitRule {
     /// Of all splits along the longest edge, the one that leaves the evenest valences; counters
-    /// weigh signals by their distance to the surface, and the first vertices are split at half λ.
+    /// weigh signals by their distance to the surface, the first vertices are split at half λ, the
+    /// winner is on the sheet nearest to the sample, and whole webs are taken out.
     balanced,
-    /// The split that halves the star, counters that count signals, and λ throughout, as in the
-    /// paper.
+    /// The split that halves the star, counters that count signals, λ throughout, and the nearest
+    /// vertex as the winner, as in the paper.
     paper
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring_topology.h"
 
+#include <algorithm>
+
 #include <vcg/complex/allocate.h>
 
 namespace neuralmesh {
@@ -19,6 +21,13 @@ void insertAfter(NeighbourRing &ring, VertexId place, VertexId id)
 void eraseNeighbour(NeighbourRing &ring, VertexId id)
 {
     ring.erase(ring.find(id));
+}
+
+void removeVertex(NeuralMesh &mesh, VertexId v, std::vector<VertexId> &freeSlots)
+{
+    mesh.ring(v).clear();
+    vcg::tri::Allocator<NeuralMesh>::DeleteVertex(mesh, mesh.vert[v]);
+    freeSlots.push_back(v);
 }
 
 int commonNeighbours(const NeuralMesh &mesh, VertexId v, VertexId u)
@@ -74,9 +83,7 @@ void collapse(NeuralMesh &mesh, VertexId v, VertexId u, std::vector<VertexId> &f
         replaceNeighbour(mesh.ring(x), v, u);
         kept.insert(place++, x);
     }
-    mesh.ring(v).clear();
-    vcg::tri::Allocator<NeuralMesh>::DeleteVertex(mesh, mesh.vert[v]);
-    freeSlots.push_back(v);
+    removeVertex(mesh, v, freeSlots);
 }
 
 void split(NeuralMesh &mesh, VertexId v, int first, int last, VertexId w)
@@ -118,6 +125,44 @@ void flip(NeuralMesh &mesh, VertexId v, VertexId u)
     eraseNeighbour(mesh.ring(u), v);
     insertAfter(mesh.ring(opposite.left), v, opposite.right);
     insertAfter(mesh.ring(opposite.right), u, opposite.left);
+}
+
+void refillDisc(NeuralMesh &mesh, const std::vector<VertexId> &rim,
+                const std::vector<VertexId> &interior, const std::vector<LoopTriangle> &triangles,
+                std::vector<VertexId> &freeSlots)
+{
+    const std::size_t size = rim.size();
+    // Each diagonal is once the longest side, in places, of a triangle.
+    std::vector<std::vector<std::size_t>> diagonals(size);
+    for (const LoopTriangle &triangle : triangles) {
+        const auto i = static_cast<std::size_t>(triangle[0]);
+        const auto j = static_cast<std::size_t>(triangle[2]);
+        if (i == 0 && j + 1 == size)
+            continue;
+        diagonals[i].push_back(j);
+        diagonals[j].push_back(i);
+    }
+    for (std::size_t place = 0; place < size; ++place) {
+        // Counter-clockwise: the next vertex of the rim, the diagonals, the previous vertex, then
+        // the neighbours outside the disc.
+        const VertexId next = rim[(place + 1) % size];
+        const VertexId previous = rim[(place + size - 1) % size];
+        std::vector<std::size_t> &fan = diagonals[place];
+        std::sort(fan.begin(), fan.end(), [&](std::size_t a, std::size_t b) {
+            return (a + size - place) % size < (b + size - place) % size;
+        });
+        const NeighbourRing before = mesh.ring(rim[place]);
+        NeighbourRing &ring = mesh.ring(rim[place]);
+        ring.clear();
+        ring.pushBack(next);
+        for (const std::size_t other : fan)
+            ring.pushBack(rim[other]);
+        ring.pushBack(previous);
+        for (int i = before.next(before.find(previous)); before[i] != next; i = before.next(i))
+            ring.pushBack(before[i]);
+    }
+    for (const VertexId v : interior)
+        removeVertex(mesh, v, freeSlots);
 }
 
 void rebuildFaces(NeuralMesh &mesh)

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "loop_triangulation.h"
 #include "neural_mesh.h"
 
 namespace neuralmesh {
@@ -44,6 +45,13 @@ bool canFlip(const NeuralMesh &mesh, VertexId v, VertexId u);
 
 /// Replaces edge (v, u) by the edge between its opposite vertices. Requires canFlip(v, u).
 void flip(NeuralMesh &mesh, VertexId v, VertexId u);
+
+/// Replaces a disc by the triangulation of its rim (the loop around it, its faces to the left) and
+/// removes its interior vertices, whose slots go to freeSlots. No diagonal may be an edge outside
+/// the disc.
+void refillDisc(NeuralMesh &mesh, const std::vector<VertexId> &rim,
+                const std::vector<VertexId> &interior, const std::vector<LoopTriangle> &triangles,
+                std::vector<VertexId> &freeSlots);
 
 /// Makes mesh.face from the rings, each face once, its lowest id first. Removed vertices' slots
 /// stay: compact on the way out.

@@ -80,4 +80,13 @@ StarProjection projectOnStar(const NeuralMesh &mesh, VertexId v, const Point3 &q
     return best;
 }
 
+Scalar squaredDistanceTo(const Triangle &t, const Point3 &query)
+{
+    const Point3 toB = t.b - t.a;
+    const Point3 toC = t.c - t.a;
+    const Point3 target = query - t.a;
+    const Barycentric w = nearestOnTriangle(toB, toC, target);
+    return (target - toB * w.b - toC * w.c).SquaredNorm();
+}
+
 } // namespace neuralmesh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "neural_mesh.h"
+#include "triangle.h"
 
 namespace neuralmesh {
 
@@ -15,5 +16,8 @@ struct StarProjection {
 
 /// Looks at every face in the star of v. Ericson, Real-Time Collision Detection (2005), §5.1.5.
 StarProjection projectOnStar(const NeuralMesh &mesh, VertexId v, const Point3 &query);
+
+/// Squared distance of the query to the nearest point of a triangle.
+Scalar squaredDistanceTo(const Triangle &triangle, const Point3 &query);
 
 } // namespace neuralmesh

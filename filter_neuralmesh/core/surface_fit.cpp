@@ -127,7 +127,7 @@ private:
                       samples_);
         order_.sort(samples_);
         for (const Point3 &sample : samples_)
-            add(projectOnStar(mesh_, network_.findWinner(sample), sample));
+            add(network_.project(network_.findWinner(sample), sample));
     }
 
     void add(const StarProjection &p)

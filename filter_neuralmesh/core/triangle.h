@@ -20,6 +20,11 @@ inline Point3 unitNormal(const Triangle &t)
     return ((t.b - t.a) ^ (t.c - t.a)).Normalize();
 }
 
+inline Scalar area(const Triangle &t)
+{
+    return ((t.b - t.a) ^ (t.c - t.a)).Norm() / 2;
+}
+
 inline Scalar cosineAt(const Point3 &corner, const Point3 &left, const Point3 &right)
 {
     return (left - corner).Normalize() * (right - corner).Normalize();

@@ -85,7 +85,7 @@ private:
     bool isWeb(VertexId v, VertexId u) const
     {
         return exceeds(distance(mesh_, v, u), spacing_[v], spacing_[u]) ||
-               !support_.supports(mesh_, v, u);
+               !isSupported(mesh_, support_, v, u);
     }
 
     bool flipIfMuchShorter(VertexId v, VertexId u)
@@ -130,16 +130,10 @@ private:
 
 } // namespace
 
-SampleSupport::SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples) : grid_(bounds)
-{
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        grid_.insert(static_cast<VertexId>(i), samples[i]);
-}
-
-bool SampleSupport::supports(const NeuralMesh &mesh, VertexId v, VertexId u) const
+bool isSupported(const NeuralMesh &mesh, const SampleSupport &support, VertexId v, VertexId u)
 {
     const Point3 middle = (mesh.position(v) + mesh.position(u)) / 2;
-    return grid_.hasWithin(middle, supportDistance * distance(mesh, v, u));
+    return support.hasWithin(middle, supportDistance * distance(mesh, v, u));
 }
 
 Scalar localSpacing(const NeuralMesh &mesh, VertexId v)

@@ -6,28 +6,17 @@
 // the gap to the other, two sheets back to back. No sample pulls at them, and collapsing and
 // splitting alone keeps them for ever. But the rim of a web can be flipped into the short edge
 // between its two opposite vertices, which lie on one side: the web retracts by a step, and so on
-// until it has gone, like a zip.
+// until it has gone, like a zip. Where the zip jams, web_removal.h takes the whole web out.
 #pragma once
 
-#include <vector>
-
 #include "neural_mesh.h"
-#include "vertex_grid.h"
+#include "sample_support.h"
 
 namespace neuralmesh {
 
-/// Where the target space is: a set of its samples that can be asked for the nearest.
-class SampleSupport {
-public:
-    SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples);
-
-    /// Whether edge (v, u) runs along the target space: a sample lies near its middle, compared
-    /// with its length.
-    bool supports(const NeuralMesh &mesh, VertexId v, VertexId u) const;
-
-private:
-    VertexGrid grid_;
-};
+/// Whether edge (v, u) runs along the target space: a sample lies near its middle, compared with
+/// its length.
+bool isSupported(const NeuralMesh &mesh, const SampleSupport &support, VertexId v, VertexId u);
 
 /// Spacing of the vertices around v: the mean length of its three shortest edges, which stays true
 /// where up to half of the star is a web.

@@ -36,6 +36,21 @@ public:
     /// Whether at least `count` vertices lie within the radius, the border included.
     bool hasWithin(const Point3 &query, Scalar radius, int count = 1) const;
 
+    /// Calls visit(id) for each vertex within the radius, the border included.
+    template <class Visit>
+    void forEachWithin(const Point3 &query, Scalar radius, const Visit &visit) const
+    {
+        const CellCoordinates low = coordinates(query - Point3(radius, radius, radius));
+        const CellCoordinates high = coordinates(query + Point3(radius, radius, radius));
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x)
+                    for (VertexId id = firstInCell_[cellAt({x, y, z})]; id != noVertex;
+                         id = entries_[id].next)
+                        if ((entries_[id].position - query).SquaredNorm() <= radius * radius)
+                            visit(id);
+    }
+
 private:
     using CellId = std::uint32_t;
     static constexpr CellId noCell = 0xffffffffU;

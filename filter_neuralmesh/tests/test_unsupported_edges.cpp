@@ -88,8 +88,8 @@ TEST(UnsupportedEdges, an_edge_is_supported_by_a_sample_near_its_middle)
     Box3 bounds;
     bounds.Add({-1, -1, -1});
     bounds.Add({1, 1, 1});
-    EXPECT_TRUE(SampleSupport(bounds, {{0.5, 0.5, 0.4}}).supports(mesh, 0, 2));
-    EXPECT_FALSE(SampleSupport(bounds, {{0.5, 0.5, 0.5}}).supports(mesh, 0, 2));
+    EXPECT_TRUE(isSupported(mesh, SampleSupport(bounds, {{0.5, 0.5, 0.4}}), 0, 2));
+    EXPECT_FALSE(isSupported(mesh, SampleSupport(bounds, {{0.5, 0.5, 0.5}}), 0, 2));
 }
 
 TEST(UnsupportedEdges, an_edge_across_the_gap_is_overlong_and_one_along_a_post_is_not)

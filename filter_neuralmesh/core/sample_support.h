@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the target space is: a set of its samples that can be asked for the nearest.
+#pragma once
+
+#include <vector>
+
+#include "neural_mesh.h"
+#include "vertex_grid.h"
+
+namespace neuralmesh {
+
+class SampleSupport {
+public:
+    /// Needs at least one sample.
+    SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples);
+
+    /// Whether a sample lies within the radius.
+    bool hasWithin(const Point3 &place, Scalar radius) const;
+
+    const Point3 &nearest(const Point3 &place) const { return samples_[grid_.nearest(place)]; }
+    Scalar squaredDistance(const Point3 &place) const
+    {
+        return (nearest(place) - place).SquaredNorm();
+    }
+
+private:
+    std::vector<Point3> samples_;
+    VertexGrid grid_;
+};
+
+} // namespace neuralmesh
