@@ -9,6 +9,7 @@
 #include "edge_flips.h"
 #include "ring_topology.h"
 #include "self_intersections.h"
+#include "tear_mending.h"
 #include "unsupported_edges.h"
 #include "web_removal.h"
 
@@ -24,6 +25,9 @@ constexpr int fewVertices = 50;
 
 /// Vertices from which whole webs are taken out. A coarser network spans everything.
 constexpr int webVertices = 1000;
+
+/// Tears mended at a time: each search costs as much as one for webs.
+constexpr int mostTears = 8;
 
 /// How far around a sample other sheets are looked for, in mean lengths of the winner's edges.
 constexpr Scalar sheetDistance = 0.8;
@@ -167,12 +171,8 @@ VertexId GrowingNetwork::splitMostActive()
     const Point3 middle = (mesh_.position(v) + mesh_.position(mesh_.ring(v)[edge])) / 2;
     const VertexId w = addVertex(mesh_, freeSlots_, middle);
     split(mesh_, v, span.first, span.last, w);
-    grid_.insert(w, middle);
-    counters_.insert(w, 0);
+    enrol(w);
     shareCounter(v, w);
-    if (w >= lastWin_.size())
-        lastWin_.resize(static_cast<std::size_t>(w) + 1);
-    lastWin_[w] = signals_;
     if (parameters_.edgeFlips) {
         evenValencesAround(mesh_, v);
         evenValencesAround(mesh_, w);
@@ -283,8 +283,10 @@ int GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const Sample
         if (const VertexId into = bestCollapse(v); into != noVertex)
             remove(v, into);
     retractWebs(mesh_, support);
-    if (parameters_.splitRule == SplitRule::balanced && vertexCount() >= webVertices)
+    if (parameters_.splitRule == SplitRule::balanced && vertexCount() >= webVertices) {
         removeWebs(support);
+        mendTears(support);
+    }
     updateDecay();
     return before - vertexCount();
 }
@@ -295,6 +297,19 @@ void GrowingNetwork::removeWebs(const SampleSupport &support)
         refillDisc(mesh_, web.rim, web.interior, web.triangles, freeSlots_);
         for (const VertexId v : web.interior)
             forget(v);
+    }
+}
+
+void GrowingNetwork::mendTears(const SampleSupport &support)
+{
+    for (int tear = 0; tear < mostTears; ++tear) {
+        const auto changes = mendTear(mesh_, support, parameters_.targetVertexCount, freeSlots_);
+        if (!changes)
+            return;
+        for (const VertexId v : changes->removed)
+            forget(v);
+        for (const VertexId v : changes->added)
+            enrol(v);
     }
 }
 
@@ -320,6 +335,15 @@ void GrowingNetwork::remove(VertexId v, VertexId into)
 {
     neuralmesh::collapse(mesh_, v, into, freeSlots_);
     forget(v);
+}
+
+void GrowingNetwork::enrol(VertexId v)
+{
+    grid_.insert(v, mesh_.position(v));
+    counters_.insert(v, 0);
+    if (v >= lastWin_.size())
+        lastWin_.resize(static_cast<std::size_t>(v) + 1);
+    lastWin_[v] = signals_;
 }
 
 void GrowingNetwork::forget(VertexId v)

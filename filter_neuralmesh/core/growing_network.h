@@ -99,6 +99,8 @@ private:
     VertexId bestCollapse(VertexId v) const;
     void remove(VertexId v, VertexId into);
     void removeWebs(const SampleSupport &support);
+    void mendTears(const SampleSupport &support);
+    void enrol(VertexId v);
     void forget(VertexId v);
     void updateDecay();
 

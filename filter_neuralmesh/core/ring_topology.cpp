@@ -23,13 +23,6 @@ void eraseNeighbour(NeighbourRing &ring, VertexId id)
     ring.erase(ring.find(id));
 }
 
-void removeVertex(NeuralMesh &mesh, VertexId v, std::vector<VertexId> &freeSlots)
-{
-    mesh.ring(v).clear();
-    vcg::tri::Allocator<NeuralMesh>::DeleteVertex(mesh, mesh.vert[v]);
-    freeSlots.push_back(v);
-}
-
 int commonNeighbours(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     int count = 0;
@@ -59,6 +52,13 @@ VertexId addVertex(NeuralMesh &mesh, std::vector<VertexId> &freeSlots, Point3 po
     mesh.position(id) = position;
     ++mesh.vn;
     return id;
+}
+
+void removeVertex(NeuralMesh &mesh, VertexId v, std::vector<VertexId> &freeSlots)
+{
+    mesh.ring(v).clear();
+    vcg::tri::Allocator<NeuralMesh>::DeleteVertex(mesh, mesh.vert[v]);
+    freeSlots.push_back(v);
 }
 
 bool canCollapse(const NeuralMesh &mesh, VertexId v, VertexId u)

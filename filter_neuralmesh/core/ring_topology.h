@@ -24,6 +24,9 @@ OppositeVertices oppositeVertices(const NeuralMesh &mesh, VertexId v, VertexId u
 /// A new vertex without neighbours, in a removed vertex's slot where there is one.
 VertexId addVertex(NeuralMesh &mesh, std::vector<VertexId> &freeSlots, Point3 position);
 
+/// Removes a vertex that no other is joined to any more; its slot goes to freeSlots.
+void removeVertex(NeuralMesh &mesh, VertexId v, std::vector<VertexId> &freeSlots);
+
 /// Whether edge (v, u) may collapse: the link condition (v and u have just their two opposite
 /// vertices in common) and more than four vertices, so that a tetrahedron stays one. False where
 /// v and u are no neighbours.

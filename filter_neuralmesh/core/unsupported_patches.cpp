@@ -132,15 +132,15 @@ bool PatchSearch::fillPinches(std::vector<FaceId> &patch, bool &changed)
 /// Adds small parts of the surface that the patch encloses.
 bool PatchSearch::fillIslands(std::vector<FaceId> &patch, bool &changed)
 {
-    ++island_;
+    const int searchesBefore = island_;
     const std::size_t size = patch.size();
     for (std::size_t i = 0; i < size; ++i)
         for (std::size_t k = 0; k < 3; ++k) {
             const Corners &corners = faces_.corners(patch[i]);
             const FaceId behind = faces_.leftOf(corners[(k + 1) % 3], corners[k]);
-            if (patchOf_[behind] == patch_ || seenBy_[behind] == island_)
+            if (patchOf_[behind] == patch_ || seenBy_[behind] > searchesBefore)
                 continue;
-            for (const FaceId face : islandBehind(behind, smallIsland + size / 2)) {
+            for (const FaceId face : islandBehind(behind, smallIsland + size / 2, searchesBefore)) {
                 changed = true;
                 if (!add(face, patch))
                     return false;
@@ -149,9 +149,11 @@ bool PatchSearch::fillIslands(std::vector<FaceId> &patch, bool &changed)
     return true;
 }
 
-/// The faces reached without entering the patch; none where there are more than `most`.
-std::vector<FaceId> PatchSearch::islandBehind(FaceId face, std::size_t most)
+/// The faces reached without entering the patch; none where there are more than `most`, or where
+/// an earlier search since `searchesBefore` was here: it gave up, or its faces were in the patch.
+std::vector<FaceId> PatchSearch::islandBehind(FaceId face, std::size_t most, int searchesBefore)
 {
+    ++island_;
     std::vector<FaceId> island{face};
     seenBy_[face] = island_;
     for (std::size_t i = 0; i < island.size(); ++i)
@@ -160,7 +162,7 @@ std::vector<FaceId> PatchSearch::islandBehind(FaceId face, std::size_t most)
             const FaceId next = faces_.leftOf(corners[(k + 1) % 3], corners[k]);
             if (patchOf_[next] == patch_ || seenBy_[next] == island_)
                 continue;
-            if (island.size() == most)
+            if (island.size() == most || seenBy_[next] > searchesBefore)
                 return {};
             seenBy_[next] = island_;
             island.push_back(next);

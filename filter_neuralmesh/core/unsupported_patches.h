@@ -48,7 +48,7 @@ private:
     bool fillPinchesAndIslands(std::vector<FaceId> &patch);
     bool fillPinches(std::vector<FaceId> &patch, bool &changed);
     bool fillIslands(std::vector<FaceId> &patch, bool &changed);
-    std::vector<FaceId> islandBehind(FaceId face, std::size_t most);
+    std::vector<FaceId> islandBehind(FaceId face, std::size_t most, int searchesBefore);
     bool add(FaceId face, std::vector<FaceId> &patch);
     bool isInside(VertexId a, VertexId b) const { return patchOf_[faces_.leftOf(a, b)] == patch_; }
     /// How often the rim leaves v; the next vertex of the rim, if any, goes into `next`.
