@@ -4,19 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "edge_flips.h"
+#include "regular_collapses.h"
 #include "ring_topology.h"
 #include "self_intersections.h"
 #include "tear_mending.h"
 #include "unsupported_edges.h"
+#include "valences.h"
 #include "web_removal.h"
 
 namespace neuralmesh {
 namespace {
-
-constexpr int idealValence = 6;
 
 /// The window of step 6 is that of at least so many vertices. Around the first handful, in a long
 /// target, there may be vertices that win next to nothing: collapsed at once and split again, they
@@ -31,11 +30,6 @@ constexpr int mostTears = 8;
 
 /// How far around a sample other sheets are looked for, in mean lengths of the winner's edges.
 constexpr Scalar sheetDistance = 0.8;
-
-int squared(int x)
-{
-    return x * x;
-}
 
 } // namespace
 
@@ -96,6 +90,50 @@ void GrowingNetwork::evenValences()
     for (VertexId v = 0; v < mesh_.idBound(); ++v)
         if (mesh_.isLive(v))
             evenValencesAround(mesh_, v);
+}
+
+std::vector<VertexId> GrowingNetwork::exchangeIrregular()
+{
+    const auto isLow = [&](VertexId v) {
+        return mesh_.isLive(v) && mesh_.valence(v) < idealValence - 1;
+    };
+    const auto isHigh = [&](VertexId v) {
+        return mesh_.isLive(v) && mesh_.valence(v) > idealValence + 1;
+    };
+    const VertexId bound = mesh_.idBound();
+    int spared = 0;
+    int wanted = 0;
+    const auto spare = [&](VertexId v) {
+        if (const VertexId into = bestCollapseOnSurface(mesh_, v); into != noVertex) {
+            remove(v, into);
+            ++spared;
+        }
+    };
+    for (VertexId v = 0; v < bound; ++v) {
+        if (isLow(v))
+            spare(v);
+        wanted += isLow(v) || isHigh(v) ? 1 : 0;
+    }
+    for (const VertexId v : mostRegularCollapses(mesh_)) {
+        if (spared >= wanted)
+            break;
+        if (mesh_.valence(v) == idealValence - 1)
+            spare(v);
+    }
+    std::vector<VertexId> made;
+    for (VertexId v = 0; v < bound && spared > 0; ++v) {
+        const StarSplit star = isLow(v) ? bestRaisingSplit(mesh_, v) : StarSplit{};
+        if (star.vertex != noVertex)
+            made.push_back(splitStar(star, middleOfSpan(mesh_, star)));
+        else if (isHigh(v))
+            made.push_back(splitOff(v));
+        else
+            continue;
+        --spared;
+    }
+    for (; spared > 0; --spared)
+        made.push_back(splitMostActive());
+    return made;
 }
 
 void GrowingNetwork::adapt(VertexId winner, const Point3 &sample)
@@ -164,13 +202,22 @@ void GrowingNetwork::countSignal(VertexId winner, double amount)
 
 VertexId GrowingNetwork::splitMostActive()
 {
-    const VertexId v = counters_.highest();
-    const int edge = longestEdge(v);
-    const StarSpan span =
-        parameters_.splitRule == SplitRule::paper ? halvingSpan(v, edge) : balancedSpan(v, edge);
-    const Point3 middle = (mesh_.position(v) + mesh_.position(mesh_.ring(v)[edge])) / 2;
-    const VertexId w = addVertex(mesh_, freeSlots_, middle);
-    split(mesh_, v, span.first, span.last, w);
+    return splitOff(counters_.highest());
+}
+
+VertexId GrowingNetwork::splitOff(VertexId v)
+{
+    const int edge = longestEdge(mesh_, v);
+    return splitStar(parameters_.splitRule == SplitRule::paper ? halvingSplit(mesh_, v, edge)
+                                                               : balancedSplit(mesh_, v, edge),
+                     (mesh_.position(v) + mesh_.position(mesh_.ring(v)[edge])) / 2);
+}
+
+VertexId GrowingNetwork::splitStar(const StarSplit &star, const Point3 &position)
+{
+    const VertexId v = star.vertex;
+    const VertexId w = addVertex(mesh_, freeSlots_, position);
+    split(mesh_, v, star.first, star.last, w);
     enrol(w);
     shareCounter(v, w);
     if (parameters_.edgeFlips) {
@@ -179,53 +226,6 @@ VertexId GrowingNetwork::splitMostActive()
     }
     updateDecay();
     return w;
-}
-
-int GrowingNetwork::longestEdge(VertexId v) const
-{
-    const NeighbourRing &ring = mesh_.ring(v);
-    int longest = 0;
-    Scalar longestSquared = -1;
-    for (int i = 0; i < ring.size(); ++i) {
-        const Scalar d = (mesh_.position(ring[i]) - mesh_.position(v)).SquaredNorm();
-        if (d > longestSquared && (longestSquared < 0 || !isOverlong(mesh_, v, ring[i]))) {
-            longest = i;
-            longestSquared = d;
-        }
-    }
-    return longest;
-}
-
-GrowingNetwork::StarSpan GrowingNetwork::halvingSpan(VertexId v, int edge) const
-{
-    const int valence = mesh_.valence(v);
-    const int span = std::max(2, valence / 2);
-    const int before = span / 2;
-    return {(edge - before + valence) % valence, (edge + span - before) % valence};
-}
-
-GrowingNetwork::StarSpan GrowingNetwork::balancedSpan(VertexId v, int edge) const
-{
-    const NeighbourRing &ring = mesh_.ring(v);
-    const int valence = ring.size();
-    StarSpan best{0, 0};
-    std::pair<int, int> least{std::numeric_limits<int>::max(), 0};
-    for (int before = 1; before + 1 < valence; ++before)
-        for (int after = 1; before + after < valence; ++after) {
-            const int span = before + after;
-            const int first = (edge - before + valence) % valence;
-            const int last = (edge + after) % valence;
-            const int spread = squared(span + 2 - idealValence) +
-                               squared(valence - span + 2 - idealValence) +
-                               squared(mesh_.valence(ring[first]) + 1 - idealValence) +
-                               squared(mesh_.valence(ring[last]) + 1 - idealValence);
-            const std::pair<int, int> cost{spread, std::abs(before - after)};
-            if (cost < least) {
-                least = cost;
-                best = {first, last};
-            }
-        }
-    return best;
 }
 
 void GrowingNetwork::shareCounter(VertexId v, VertexId w)
@@ -280,7 +280,7 @@ int GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const Sample
 {
     const int before = vertexCount();
     for (const VertexId v : vertices)
-        if (const VertexId into = bestCollapse(v); into != noVertex)
+        if (const VertexId into = bestCollapse(mesh_, v); into != noVertex)
             remove(v, into);
     retractWebs(mesh_, support);
     if (parameters_.splitRule == SplitRule::balanced && vertexCount() >= webVertices) {
@@ -311,24 +311,6 @@ void GrowingNetwork::mendTears(const SampleSupport &support)
         for (const VertexId v : changes->added)
             enrol(v);
     }
-}
-
-VertexId GrowingNetwork::bestCollapse(VertexId v) const
-{
-    VertexId best = noVertex;
-    int least = std::numeric_limits<int>::max();
-    for (const VertexId u : mesh_.ring(v)) {
-        const OppositeVertices opposite = oppositeVertices(mesh_, v, u);
-        // Equation 9 without its root and factor, which keep the order.
-        const int error = squared(mesh_.valence(v) + mesh_.valence(u) - 10) +
-                          squared(mesh_.valence(opposite.left) - 7) +
-                          squared(mesh_.valence(opposite.right) - 7);
-        if (error < least && canCollapse(mesh_, v, u)) {
-            least = error;
-            best = u;
-        }
-    }
-    return best;
 }
 
 void GrowingNetwork::remove(VertexId v, VertexId into)

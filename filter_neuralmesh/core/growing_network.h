@@ -10,6 +10,7 @@
 #include "sample_support.h"
 #include "signal_counters.h"
 #include "star_projection.h"
+#include "star_splits.h"
 #include "vertex_grid.h"
 
 namespace neuralmesh {
@@ -48,6 +49,12 @@ public:
     /// Flips edges all over the mesh where that evens out the valences or widens angles.
     void evenValences();
 
+    /// Exchanges vertices so that fewer have a valence below 5 or above 7. Those of valence 3 and 4
+    /// are removed by edge collapses that keep the surface, and as many others as are needed, where
+    /// that evens out valences. Instead, those of 8 or more are split, and neighbours of those of 3
+    /// or 4 that must stay; then the most active. Returns the new ones; the count stays.
+    std::vector<VertexId> exchangeIrregular();
+
     /// Step 3: moves the winner towards the sample (equation 2) and smooths its neighbours within
     /// their tangent planes (equations 3 to 5).
     void adapt(VertexId winner, const Point3 &sample);
@@ -84,19 +91,13 @@ private:
         Scalar share; ///< of one neighbour in the mean: 1 / valence
     };
 
-    struct StarSpan {
-        int first, last; ///< ring places, counter-clockwise
-    };
-
+    VertexId splitOff(VertexId v);
+    VertexId splitStar(const StarSplit &star, const Point3 &position);
     void smoothNeighbours(VertexId winner);
     Neighbourhood neighbourhood(VertexId v) const;
-    int longestEdge(VertexId v) const;
-    StarSpan halvingSpan(VertexId v, int edge) const;
-    StarSpan balancedSpan(VertexId v, int edge) const;
     void shareCounter(VertexId v, VertexId w);
     Scalar voronoiArea(VertexId v) const;
     bool isInactive(VertexId v) const;
-    VertexId bestCollapse(VertexId v) const;
     void remove(VertexId v, VertexId into);
     void removeWebs(const SampleSupport &support);
     void mendTears(const SampleSupport &support);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "intersection_repair.h"
 #include "morton_order.h"
 #include "point_statistics.h"
 #include "star_projection.h"
@@ -39,10 +40,11 @@ constexpr double scatterOfRelief = 0.12;
 constexpr double scatterOfNoise = 0.27;
 constexpr double noiseInBending = 6;
 constexpr double leastBendingInNoise = 0.2;
+/// Sweeps after which irregular vertices are exchanged.
+constexpr int firstExchange = 1;
+constexpr int lastExchange = 7;
 /// Longest move of a sweep, in lengths of the vertex's shortest edge.
 constexpr Scalar longestMove = 0.3;
-/// Times a vertex is put half-way back before it is put back whole.
-constexpr int halvings = 4;
 /// Cosine between a face's normals before and after a sweep, at the least.
 constexpr Scalar leastTurn = 0.5;
 
@@ -90,34 +92,21 @@ public:
         move(step);
         noteResiduals();
         network_.evenValences();
+        if (firstExchange <= number && number < lastExchange)
+            exchangeIrregular();
     }
 
-    /// Puts vertices of faces that intersect others back to where they were before the fit, and
-    /// where that does not help, those around them too: where two walls are closer to each other
-    /// than the vertices, samples of one pull at faces of the other.
-    void takeBackIntersections()
-    {
-        constexpr int rounds = 10;
-        std::vector<int> restored(mesh_.idBound(), 0);
-        for (int round = 0; round < rounds; ++round) {
-            const std::vector<VertexId> corners = network_.findIntersectingVertices();
-            if (corners.empty())
-                return;
-            for (const VertexId v : corners) {
-                restore(v, restored);
-                if (restored[v] > halvings)
-                    for (const VertexId u : mesh_.ring(v))
-                        restore(u, restored);
-            }
-        }
-    }
+    /// By id, where the vertices were before the fit, or when they were made.
+    const std::vector<Point3> &start() const { return start_; }
 
 private:
-    void restore(VertexId v, std::vector<int> &restored)
+    /// While sweeps are left to lay the new vertices on the surface.
+    void exchangeIrregular()
     {
-        ++restored[v];
-        network_.moveVertex(v, restored[v] < halvings ? (mesh_.position(v) + start_[v]) / 2
-                                                      : start_[v]);
+        for (const VertexId v : network_.exchangeIrregular()) {
+            start_[v] = mesh_.position(v);
+            typicalResidual_[v] = 0;
+        }
     }
 
     void gather()
@@ -344,7 +333,7 @@ void fitSurface(GrowingNetwork &network, const Sampler &sampler, Random &random,
         fit.sweep(step, static_cast<int>(done));
         ++done;
     }
-    fit.takeBackIntersections();
+    repairIntersections(network, fit.start());
 }
 
 } // namespace neuralmesh
