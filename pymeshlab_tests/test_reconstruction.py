@@ -223,8 +223,10 @@ def test_every_parameter_changes_the_result(bunny_array: Points, name: str, valu
 
 
 def test_no_parameter_is_missing_above(bunny_points: pymeshlab.MeshSet) -> None:
-    # The target and the seed have tests of their own.
-    tested = {name for name, _ in PARAMETERS_THAT_MATTER} | {"targetvertnum", "randomseed"}
+    # These have tests of their own, here, in test_target_spaces.py and in test_starting_meshes.py.
+    elsewhere = {"targetvertnum", "randomseed", "source", "densityfromquality"}
+    elsewhere |= {"snapshots", "startmesh", "startlayer"}
+    tested = {name for name, _ in PARAMETERS_THAT_MATTER} | elsewhere
     assert set(bunny_points.filter_parameter_values(FILTER)) == tested
 
 

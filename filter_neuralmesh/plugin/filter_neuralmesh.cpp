@@ -9,7 +9,7 @@
 #include "filter_results.h"
 #include "host_progress.h"
 #include "layers.h"
-#include "samplers/point_cloud_sampler.h"
+#include "target_space.h"
 
 FilterNeuralMesh::FilterNeuralMesh()
 {
@@ -77,10 +77,11 @@ int FilterNeuralMesh::postCondition(const QAction *) const
     return MeshModel::MM_NONE; // existing layers stay as they are
 }
 
-RichParameterList FilterNeuralMesh::initParameterList(const QAction *action, const MeshDocument &)
+RichParameterList FilterNeuralMesh::initParameterList(const QAction *action,
+                                                      const MeshDocument &document)
 {
     switch (ID(action)) {
-    case NeuralMeshReconstruction: return reconstructionParameters();
+    case NeuralMeshReconstruction: return reconstructionParameters(document);
     default: return {};
     }
 }
@@ -113,21 +114,29 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
     const auto start = std::chrono::steady_clock::now();
     const neuralmesh::GrowthParameters growthParameters = readGrowthParameters(parameters);
     growthParameters.validate();
-    const MeshModel &input = currentLayer(document);
-    const neuralmesh::PointCloudSampler sampler(worldPoints(input));
+    const TargetSpace target = makeTargetSpace(parameters, document);
+    const neuralmesh::UnitFrame &frame = target.sampler->frame();
 
     Reconstruction result;
     result.seed = growthParameters.seed;
-    result.diagonal = sampler.frame().diagonal();
-    result.growth =
-        neuralmesh::grow(result.mesh, sampler, growthParameters, throttledProgress(callback));
+    result.diagonal = frame.diagonal();
+    if (growthParameters.startMesh == neuralmesh::StartMesh::given)
+        makeStartingMesh(result.mesh, startLayer(document, parameters.getMeshId("StartLayer")),
+                         frame);
+    const auto keep = [&](std::unique_ptr<neuralmesh::NeuralMesh> snapshot) {
+        result.snapshots.push_back(std::move(snapshot));
+    };
+    result.growth = neuralmesh::grow(result.mesh, *target.sampler, growthParameters,
+                                     throttledProgress(callback), keep);
     result.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     log(summary(result));
-    if (sampler.outlierShare() > 0)
-        log("About %.1f %% of the points stand alone and were taken for outliers.",
-            100 * sampler.outlierShare());
-    addLayer(document, result.mesh, sampler.frame(), resultLabel(input));
+    if (!target.remark.empty())
+        log(target.remark);
+    const QString label = target.name + " neural mesh";
+    for (const auto &snapshot : result.snapshots)
+        addLayer(document, *snapshot, frame, label + " " + QString::number(snapshot->vn));
+    addLayer(document, result.mesh, frame, label);
     return resultValues(result);
 }
