@@ -145,6 +145,46 @@ RichParameterList reconstructionParameters(const MeshDocument &document)
     return list;
 }
 
+RichParameterList implicitParameters(const MeshDocument &document)
+{
+    RichParameterList list;
+    list.addParam(RichString("expr", "x*x+y*y+z*z-0.5", "Function =",
+                             "Expression in x, y and z whose zeros are the surface, in the syntax "
+                             "of muParser, as in the filter Implicit Surface."));
+    const QString meaning = "Box in which the surface is looked for. Where the surface leaves the "
+                            "box it is open, and the network closes it.";
+    for (const QString axis : {"X", "Y", "Z"})
+        list.addParam(RichFloat("min" + axis, -1, "Min " + axis, meaning));
+    for (const QString axis : {"X", "Y", "Z"})
+        list.addParam(RichFloat("max" + axis, 1, "Max " + axis, meaning));
+    addResultParameters(list);
+    addCommonParameters(list);
+    addStartParameters(list, document);
+    addGrowthParameters(list);
+    return list;
+}
+
+RichParameterList parametricParameters(const MeshDocument &document)
+{
+    RichParameterList list;
+    const QString meaning = "Expression in u and v, in the syntax of muParser.";
+    list.addParam(RichString("x", "cos(u)*sin(v)", "x =", meaning));
+    list.addParam(RichString("y", "sin(u)*sin(v)", "y =", meaning));
+    list.addParam(RichString("z", "cos(v)", "z =", meaning));
+    const auto pi = static_cast<Scalarm>(M_PI);
+    const QString range = "Range of the parameter. Where the surface has a boundary, the network "
+                          "closes it.";
+    list.addParam(RichFloat("minU", 0, "Min U", range));
+    list.addParam(RichFloat("maxU", 2 * pi, "Max U", range));
+    list.addParam(RichFloat("minV", 0, "Min V", range));
+    list.addParam(RichFloat("maxV", pi, "Max V", range));
+    addResultParameters(list);
+    addCommonParameters(list);
+    addStartParameters(list, document);
+    addGrowthParameters(list);
+    return list;
+}
+
 neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &parameters)
 {
     neuralmesh::GrowthParameters growth;

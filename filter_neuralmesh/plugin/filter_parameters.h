@@ -7,9 +7,11 @@
 
 #include "core/growth_parameters.h"
 
-/// What the filter's dialog and scripts offer, with the core's defaults. The document is that of
+/// What each filter's dialog and scripts offer, with the core's defaults. The document is that of
 /// which a starting layer can be chosen.
 RichParameterList reconstructionParameters(const MeshDocument &document);
+RichParameterList implicitParameters(const MeshDocument &document);
+RichParameterList parametricParameters(const MeshDocument &document);
 
 /// The core's parameters, not validated yet. A RandomSeed of 0 becomes a fresh positive seed.
 /// Throws InvalidInput for a negative RandomSeed and for Snapshots that are no list of counts.

@@ -5,7 +5,9 @@
 
 #include "core/errors.h"
 #include "layers.h"
+#include "samplers/implicit_sampler.h"
 #include "samplers/input_checks.h"
+#include "samplers/parametric_sampler.h"
 #include "samplers/point_cloud_sampler.h"
 #include "samplers/surface_sampler.h"
 
@@ -87,6 +89,12 @@ TargetSpace pointsOfVisibleLayers(const MeshDocument &document, bool withDensity
     return points.targetSpace("visible layers");
 }
 
+neuralmesh::Expression expression(const RichParameterList &parameters, const char *name,
+                                  const char *variables)
+{
+    return {name, parameters.getString(name).toStdString(), variables};
+}
+
 } // namespace
 
 QStringList sourceLabels()
@@ -105,4 +113,29 @@ TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocum
     }
     throw InvalidInput("Source must be one of 0 to " + std::to_string(sourceLabels().size() - 1) +
                        ".");
+}
+
+TargetSpace makeImplicitSurface(const RichParameterList &parameters)
+{
+    const vcg::Box3d box(
+        {parameters.getFloat("minX"), parameters.getFloat("minY"), parameters.getFloat("minZ")},
+        {parameters.getFloat("maxX"), parameters.getFloat("maxY"), parameters.getFloat("maxZ")});
+    return {
+        std::make_unique<neuralmesh::ImplicitSampler>(expression(parameters, "expr", "xyz"), box),
+        "implicit surface",
+        {}};
+}
+
+TargetSpace makeParametricSurface(const RichParameterList &parameters)
+{
+    using Sampler = neuralmesh::ParametricSampler;
+    const Sampler::Range u{parameters.getFloat("minU"), parameters.getFloat("maxU")};
+    const Sampler::Range v{parameters.getFloat("minV"), parameters.getFloat("maxV")};
+    return {std::make_unique<Sampler>(
+                std::array<neuralmesh::Expression, 3>{expression(parameters, "x", "uv"),
+                                                      expression(parameters, "y", "uv"),
+                                                      expression(parameters, "z", "uv")},
+                u, v),
+            "parametric surface",
+            {}};
 }

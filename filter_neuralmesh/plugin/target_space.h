@@ -24,6 +24,9 @@ enum class Source { pointsOfLayer, surfaceOfLayer, pointsOfVisibleLayers };
 /// What Source offers in dialogs and scripts.
 QStringList sourceLabels();
 
-/// Of the filter "Neural Mesh Reconstruction". Throws InvalidInput, with a sentence for the user,
-/// where there is nothing to sample.
+/// The target spaces of the filters "Neural Mesh Reconstruction", "... from Implicit Surface" and
+/// "... from Parametric Surface". They throw InvalidInput, with a sentence for the user, where
+/// there is nothing to sample.
 TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocument &document);
+TargetSpace makeImplicitSurface(const RichParameterList &parameters);
+TargetSpace makeParametricSurface(const RichParameterList &parameters);
