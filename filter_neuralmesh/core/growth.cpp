@@ -81,6 +81,20 @@ public:
     {
     }
 
+    /// Lets a starting mesh that was given take its place: λ signals for each vertex, as many as
+    /// those of a grown network have had.
+    void settle()
+    {
+        takeSnapshotIfDue();
+        const auto enough = static_cast<std::uint64_t>(parameters_.signalsPerSplit) *
+                            static_cast<std::uint64_t>(network_.vertexCount());
+        while (network_.signals() < enough) {
+            learnBatch();
+            if (network_.collapseIsDue())
+                collapseInactive();
+        }
+    }
+
     GrowthReport run()
     {
         takeSnapshotIfDue();
@@ -347,8 +361,10 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
         makeStartingSolid(mesh, parameters.startMesh, samples);
     }
     requireRoomAbove(mesh.vn, parameters);
-    const GrowthReport report =
-        Growth(mesh, sampler, parameters, random, progress, takeSnapshot).run();
+    Growth growth(mesh, sampler, parameters, random, progress, takeSnapshot);
+    if (parameters.startMesh == StartMesh::given)
+        growth.settle();
+    const GrowthReport report = growth.run();
     finishMesh(mesh);
     return report;
 }

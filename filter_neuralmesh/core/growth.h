@@ -36,7 +36,8 @@ using SnapshotTaker = std::function<void(std::unique_ptr<NeuralMesh> snapshot)>;
 /// outside outwards, in the sampler's unit frame, with faces. Its topology is that of the starting
 /// mesh: genus 0, or that of the mesh that is given.
 ///
-/// With StartMesh::given, `mesh` holds the starting mesh, in the sampler's unit frame.
+/// With StartMesh::given, `mesh` holds the starting mesh, in the sampler's unit frame. It is drawn
+/// to the samples before it grows, which may leave it some vertices fewer.
 ///
 /// Snapshots are taken the first time that the network has the count of vertices, and never touch
 /// the result. Where the result is fitted to the surface, so are they, each as if it were the

@@ -12,14 +12,14 @@
 namespace neuralmesh {
 namespace {
 
-/// Steps in which a line crosses a cube, in cubes.
+/// Least steps in which a line crosses a cube, in cubes.
 constexpr double stepOfCube = 0.25;
 /// Roots are found to this share of a cube.
-constexpr double rootTolerance = 1e-9;
+constexpr double rootTolerance = 1e-7;
 
 /// Samples that tell where the surface is, and the lines that are drawn for them at the most.
 constexpr std::size_t pilotSamples = 20000;
-constexpr std::size_t pilotLines = 2000000;
+constexpr std::size_t pilotLines = 500000;
 /// Drawing gives up after so many times the lines that it took for the pilot samples.
 constexpr double mostLines = 1000;
 
@@ -113,31 +113,27 @@ std::vector<vcg::Point3d> ImplicitSampler::drawPilot()
 
 void ImplicitSampler::intersectRandomLine(Random &random, std::vector<vcg::Point3d> &points) const
 {
-    const auto cell = static_cast<std::size_t>(random.below(cells_.lowest.size()));
-    const vcg::Point3d &lowest = cells_.lowest[cell];
-    vcg::Box3d cube(lowest, lowest + vcg::Point3d(cells_.size, cells_.size, cells_.size));
+    const SurfaceCell &cell =
+        cells_.cells[static_cast<std::size_t>(random.below(cells_.cells.size()))];
+    const Line line = randomLineThrough(cell.lowest, cells_.size, random);
+    vcg::Box3d cube(cell.lowest, cell.lowest + vcg::Point3d(cells_.size, cells_.size, cells_.size));
     cube.Intersect(cells_.box); // the last ones reach over it
-    const Line line = randomLineThrough(lowest, cells_.size, random);
     const Stretch stretch = clip(line, cube);
-    if (stretch.from < stretch.to)
-        intersect(line.origin, line.direction, stretch.from, stretch.to, points);
-}
-
-void ImplicitSampler::intersect(const vcg::Point3d &origin, const vcg::Point3d &direction,
-                                double from, double to, std::vector<vcg::Point3d> &points) const
-{
-    const auto value = [&](double t) { return function_.at(origin + direction * t); };
-    const int steps = static_cast<int>(std::ceil((to - from) / (stepOfCube * cells_.size)));
-    Bracket bracket{0, from, 0, value(from)};
-    for (int i = 1; i <= steps; ++i) {
-        bracket = {bracket.b, from + (to - from) * i / steps, bracket.high, 0};
+    const auto value = [&](double t) { return function_.at(line.origin + line.direction * t); };
+    if (!(stretch.from < stretch.to))
+        return;
+    Bracket bracket{0, stretch.from, 0, value(stretch.from)};
+    while (bracket.b < stretch.to) {
+        // Further where the function is far from zero.
+        const double step = std::max(stepOfCube * cells_.size, std::abs(bracket.high) / cell.slope);
+        bracket = {bracket.b, std::min(bracket.b + step, stretch.to), bracket.high, 0};
         bracket.high = value(bracket.b);
         if ((bracket.low < 0) == (bracket.high < 0))
             continue;
         const double root = findRoot(value, bracket, rootTolerance * cells_.size);
         // At a pole, the sign changes where there is no root.
         if (std::abs(value(root)) <= std::max(std::abs(bracket.low), std::abs(bracket.high)))
-            points.push_back(origin + direction * root);
+            points.push_back(line.origin + line.direction * root);
     }
 }
 

@@ -28,8 +28,6 @@ public:
 
 private:
     void intersectRandomLine(Random &random, std::vector<vcg::Point3d> &points) const;
-    void intersect(const vcg::Point3d &origin, const vcg::Point3d &direction, double from,
-                   double to, std::vector<vcg::Point3d> &points) const;
     std::vector<vcg::Point3d> drawPilot();
 
     Expression function_;

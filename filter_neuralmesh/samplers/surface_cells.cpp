@@ -60,9 +60,15 @@ public:
         for (int k = 0; k < count_[2]; ++k)
             for (int j = 0; j < count_[1]; ++j)
                 for (int i = 0; i < count_[0]; ++i) {
-                    if (!mayHoldSurface(i, j, k))
+                    const double centre = finiteValue(function_, place(i + 0.5, j + 0.5, k + 0.5));
+                    const double furthest = variation * furthestCorner(i, j, k, centre);
+                    // Where the sign changes, some corner is further from the centre's value than
+                    // zero is.
+                    if (std::abs(centre) > furthest)
                         continue;
-                    cells.lowest.push_back(box_.min + vcg::Point3d(i, j, k) * size_);
+                    // A linear function changes by half a cube's slope from the centre, at least.
+                    cells.cells.push_back(
+                        {box_.min + vcg::Point3d(i, j, k) * size_, 2 * furthest / size_});
                     cells.box.Add(place(i, j, k));
                     cells.box.Add(place(i + 1, j + 1, k + 1));
                 }
@@ -86,17 +92,16 @@ private:
                        static_cast<std::size_t>(i)];
     }
 
-    bool mayHoldSurface(int i, int j, int k) const
+    /// How far from the centre's value that of a corner is at the most.
+    double furthestCorner(int i, int j, int k, double centre) const
     {
-        const double centre = finiteValue(function_, place(i + 0.5, j + 0.5, k + 0.5));
         double furthest = 0;
         for (int corner = 0; corner < 8; ++corner) {
             const double value =
                 cornerValue(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
             furthest = std::max(furthest, std::abs(value - centre));
         }
-        // Where the sign changes, some corner is further from the centre's value than zero is.
-        return std::abs(centre) <= variation * furthest;
+        return furthest;
     }
 
     const Expression &function_;
@@ -125,7 +130,7 @@ SurfaceCells findSurfaceCells(const Expression &function, const vcg::Box3d &box)
     for (int round = 0; round < fittings; ++round) {
         const vcg::Box3d searched = cells.box;
         cells = Grid(function, searched).find();
-        if (cells.lowest.empty())
+        if (cells.cells.empty())
             throw noSurface(function);
         if (volume(cells.box) > worthwhile * volume(searched))
             break;

@@ -9,10 +9,15 @@
 
 namespace neuralmesh {
 
+struct SurfaceCell {
+    vcg::Point3d lowest; ///< corner of the cube
+    double slope;        ///< the function is taken to change no faster within it
+};
+
 struct SurfaceCells {
-    vcg::Box3d box;                   ///< that all of the surface was found in
-    double size = 0;                  ///< of a cube
-    std::vector<vcg::Point3d> lowest; ///< corner of each cube that may hold the surface
+    vcg::Box3d box;                 ///< that all of the surface was found in
+    double size = 0;                ///< of a cube
+    std::vector<SurfaceCell> cells; ///< cubes that may hold the surface
 };
 
 /// Lays about 64^3 cubes in the box, then again in what is left of it, until it fits the surface.
