@@ -9,8 +9,8 @@ import numpy as np
 import pymeshlab
 import pytest
 from documents import (
-    FILTER,
     Points,
+    assert_refused,
     document_of,
     mesh_from,
     reconstruct,
@@ -21,15 +21,6 @@ from documents import (
 pytestmark = pytest.mark.usefixtures("plugin")
 
 GOOD_POINTS = sphere_points(50)
-
-
-def assert_refused(document: pymeshlab.MeshSet, sentence: str, **parameters: object) -> None:
-    """Assert that the filter fails with exactly this sentence and touches nothing."""
-    before = state_of(document)
-    with pytest.raises(pymeshlab.PyMeshLabException) as caught:
-        reconstruct(document, **parameters)
-    assert str(caught.value) == f"Failed to apply filter: {FILTER}\nDetails: {sentence}"
-    assert state_of(document) == before
 
 
 def with_broken(points: Points, broken: dict[int, float]) -> Points:

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from documents import FILTER, document_of, reconstruct, sphere_points
+from documents import FILTER, IMPLICIT, PARAMETRIC, document_of, reconstruct, sphere_points
 
 ROOT = Path(__file__).resolve().parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -46,19 +46,42 @@ def test_python_snippet_runs_as_printed(code: str, plugin: Path, tmp_path: Path)
         check=False,
     )
     assert run.returncode == 0, run.stderr
-    promised = re.search(r"It prints `(.*?)`", README)
-    assert promised
-    assert promised.group(1) in run.stdout.splitlines()
-    assert (tmp_path / "bunny_2000.ply").stat().st_size > 0
+    if code == SNIPPETS[0]:
+        promised = re.search(r"It prints `(.*?)`", README)
+        assert promised
+        assert promised.group(1) in run.stdout.splitlines()
+    saved = re.findall(r'save_current_mesh\("(.*?)"\)', code)
+    assert saved
+    for name in saved:
+        assert (tmp_path / name).stat().st_size > 0
+
+
+def defaults_of(filter_name: str) -> dict[str, str]:
+    """Return a filter's parameters and their defaults as the README prints them."""
+    actual = document_of(sphere_points(10)).filter_parameter_values(filter_name)
+    return {
+        name: f"{value:.6g}" if isinstance(value, float) else str(value)
+        for name, value in actual.items()
+    }
 
 
 def test_parameter_table_lists_all_parameters_with_their_defaults(plugin: Path) -> None:
     printed = {row[0].strip("`"): row[1] for row in table_rows(section("Parameters"))}
-    actual = document_of(sphere_points(10)).filter_parameter_values(FILTER)
-    shown = {
-        name: f"{value:.6g}" if isinstance(value, float) else str(value)
-        for name, value in actual.items()
-    }
+    assert printed == defaults_of(FILTER)
+
+
+@pytest.mark.parametrize(
+    ("filter_name", "words"),
+    [(IMPLICIT, "Of an implicit surface:"), (PARAMETRIC, "Of a parametric surface:")],
+)
+def test_tables_of_the_other_filters_list_what_they_have_of_their_own(
+    filter_name: str, words: str, plugin: Path
+) -> None:
+    text = section("Parameters of the other two filters").split(words)[1].split("\nOf a")[0]
+    printed = {row[0].strip("`"): row[1] for row in table_rows(text)}
+    shown = defaults_of(filter_name)
+    for common in set(defaults_of(FILTER)) - {"source", "densityfromquality"}:
+        del shown[common]
     assert printed == shown
 
 

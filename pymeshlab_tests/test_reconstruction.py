@@ -8,8 +8,16 @@ from pathlib import Path
 import numpy as np
 import pymeshlab
 import pytest
-from documents import FILTER, Points, document_of, mesh_from, reconstruct, sphere_points, state_of
-from numpy.typing import NDArray
+from documents import (
+    FILTER,
+    Points,
+    document_of,
+    mesh_from,
+    reconstruct,
+    sphere_points,
+    state_of,
+    valences_of,
+)
 
 pytestmark = pytest.mark.usefixtures("plugin")
 
@@ -30,11 +38,6 @@ RESULT_TYPES = {
     "convergence": np.ndarray,
     "valence_histogram": np.ndarray,
 }
-
-
-def valences_of(faces: NDArray[np.int32], vertex_count: int) -> NDArray[np.int64]:
-    """Return entry k: how many vertices of a closed mesh have k neighbours (= k faces)."""
-    return np.bincount(np.bincount(faces.ravel(), minlength=vertex_count))
 
 
 @pytest.mark.parametrize("target", [100, 1000, 5000, 20000])
@@ -223,8 +226,10 @@ def test_every_parameter_changes_the_result(bunny_array: Points, name: str, valu
 
 
 def test_no_parameter_is_missing_above(bunny_points: pymeshlab.MeshSet) -> None:
-    # The target and the seed have tests of their own.
-    tested = {name for name, _ in PARAMETERS_THAT_MATTER} | {"targetvertnum", "randomseed"}
+    # These have tests of their own: here, in test_layers, test_snapshots, test_starting_meshes.
+    elsewhere = {"targetvertnum", "randomseed", "source", "densityfromquality"}
+    elsewhere |= {"snapshots", "startmesh", "startlayer"}
+    tested = {name for name, _ in PARAMETERS_THAT_MATTER} | elsewhere
     assert set(bunny_points.filter_parameter_values(FILTER)) == tested
 
 

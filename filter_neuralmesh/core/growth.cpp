@@ -21,7 +21,7 @@ namespace {
 /// cache, smaller ones let counters steer each split sooner.
 constexpr double batchPerVertex = 0.5;
 
-/// Samples from which the starting tetrahedron takes its place and shape.
+/// Samples from which the starting solid takes its place and shape.
 constexpr std::size_t startingSamples = 1000;
 
 /// Share of a signal's count that depends on the sample's distance to the surface, and the most
@@ -63,18 +63,41 @@ constexpr double leastGain = 0.05;
 /// constants, n·μ·5/λ = n splits).
 constexpr int stagnationPeriods = 5;
 
+/// Its outside outwards, with faces.
+void finishMesh(NeuralMesh &mesh)
+{
+    if (signedVolume(mesh) < 0)
+        reverseOrientation(mesh);
+    rebuildFaces(mesh);
+}
+
 class Growth {
 public:
     Growth(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-           Random &random, const Progress &progress)
-        : parameters_(parameters), sampler_(sampler), progress_(progress), random_(random),
-          measuring_(parameters.seed + 1), network_(mesh, sampler.bounds(), parameters),
-          order_(sampler.bounds())
+           Random &random, const Progress &progress, const SnapshotTaker &takeSnapshot)
+        : parameters_(parameters), sampler_(sampler), progress_(progress),
+          takeSnapshot_(takeSnapshot), random_(random), measuring_(parameters.seed + 1),
+          network_(mesh, sampler.bounds(), parameters), order_(sampler.bounds())
     {
+    }
+
+    /// Lets a starting mesh that was given take its place: λ signals for each vertex, as many as
+    /// those of a grown network have had.
+    void settle()
+    {
+        takeSnapshotIfDue();
+        const auto enough = static_cast<std::uint64_t>(parameters_.signalsPerSplit) *
+                            static_cast<std::uint64_t>(network_.vertexCount());
+        while (network_.signals() < enough) {
+            learnBatch();
+            if (network_.collapseIsDue())
+                collapseInactive();
+        }
     }
 
     GrowthReport run()
     {
+        takeSnapshotIfDue();
         growToTarget();
         consolidate();
         if (parameters_.surfaceFit)
@@ -213,7 +236,39 @@ private:
             network_.splitMostActive();
             ++report_.splitCount;
             noteConvergence();
+            takeSnapshotIfDue();
         }
+    }
+
+    void takeSnapshotIfDue()
+    {
+        const std::vector<int> &counts = parameters_.snapshots;
+        if (!takeSnapshot_ || snapshotsTaken_ == counts.size() ||
+            network_.vertexCount() < counts[snapshotsTaken_])
+            return;
+        ++snapshotsTaken_;
+        auto snapshot = std::make_unique<NeuralMesh>();
+        snapshot->vert = network_.mesh().vert;
+        snapshot->vn = network_.mesh().vn;
+        if (parameters_.surfaceFit)
+            finishSnapshot(*snapshot);
+        finishMesh(*snapshot);
+        takeSnapshot_(std::move(snapshot));
+    }
+
+    /// Consolidates and fits the snapshot, as a result of so many vertices. Its random numbers are
+    /// its own.
+    void finishSnapshot(NeuralMesh &snapshot)
+    {
+        GrowthParameters parameters = parameters_;
+        parameters.targetVertexCount = snapshot.vn;
+        parameters.snapshots.clear();
+        Random random(parameters_.seed + 1 + snapshotsTaken_);
+        const Progress progress = [&](double, const char *) {
+            reportProgress();
+            return true;
+        };
+        Growth(snapshot, sampler_, parameters, random, progress, {}).run();
     }
 
     /// At the first time that the network has 8, 16, 32 ... vertices.
@@ -257,6 +312,7 @@ private:
     const GrowthParameters &parameters_;
     const Sampler &sampler_;
     const Progress &progress_;
+    const SnapshotTaker &takeSnapshot_;
     Random &random_;
     Random measuring_; ///< of its own, so that measuring changes nothing
     GrowingNetwork network_;
@@ -264,6 +320,7 @@ private:
     std::vector<Point3> batch_;
     double meanRoughness_ = 0;
     GrowthReport report_;
+    std::size_t snapshotsTaken_ = 0;
     double countAtCheck_ = 0;
     std::uint64_t signalsAtCheck_ = 0;
 };
@@ -278,21 +335,37 @@ void requireEnoughPoints(const Sampler &sampler, int target)
                            std::to_string(distinct) + " vertices are possible.");
 }
 
+void requireRoomAbove(int startingVertices, const GrowthParameters &parameters)
+{
+    const std::string start =
+        ", fewer than the " + std::to_string(startingVertices) + " vertices of the starting mesh.";
+    if (startingVertices > parameters.targetVertexCount)
+        throw InvalidInput("TargetVertNum is " + std::to_string(parameters.targetVertexCount) +
+                           start);
+    if (!parameters.snapshots.empty() && parameters.snapshots.front() < startingVertices)
+        throw InvalidInput("Snapshots names " + std::to_string(parameters.snapshots.front()) +
+                           " vertices" + start);
+}
+
 } // namespace
 
 GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-                  const Progress &progress)
+                  const Progress &progress, const SnapshotTaker &takeSnapshot)
 {
     parameters.validate();
     requireEnoughPoints(sampler, parameters.targetVertexCount);
     Random random(parameters.seed);
-    std::vector<Point3> samples;
-    sampler.draw(random, startingSamples, samples);
-    makeTetrahedronIn(mesh, samples);
-    const GrowthReport report = Growth(mesh, sampler, parameters, random, progress).run();
-    if (signedVolume(mesh) < 0)
-        reverseOrientation(mesh);
-    rebuildFaces(mesh);
+    if (parameters.startMesh != StartMesh::given) {
+        std::vector<Point3> samples;
+        sampler.draw(random, startingSamples, samples);
+        makeStartingSolid(mesh, parameters.startMesh, samples);
+    }
+    requireRoomAbove(mesh.vn, parameters);
+    Growth growth(mesh, sampler, parameters, random, progress, takeSnapshot);
+    if (parameters.startMesh == StartMesh::given)
+        growth.settle();
+    const GrowthReport report = growth.run();
+    finishMesh(mesh);
     return report;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,17 +28,29 @@ struct GrowthReport {
     std::vector<double> convergence;
 };
 
-/// Grows `mesh` from a tetrahedron towards the sampler's target space, to exactly
-/// parameters.targetVertexCount vertices. The result is a closed oriented two-manifold of genus 0,
-/// its outside outwards, in the sampler's unit frame, with faces.
+/// Given each snapshot as it is taken, with faces.
+using SnapshotTaker = std::function<void(std::unique_ptr<NeuralMesh> snapshot)>;
+
+/// Grows `mesh` from parameters.startMesh towards the sampler's target space, to exactly
+/// parameters.targetVertexCount vertices. The result is a closed oriented two-manifold, its
+/// outside outwards, in the sampler's unit frame, with faces. Its topology is that of the starting
+/// mesh: genus 0, or that of the mesh that is given.
+///
+/// With StartMesh::given, `mesh` holds the starting mesh, in the sampler's unit frame. It is drawn
+/// to the samples before it grows, which may leave it some vertices fewer.
+///
+/// Snapshots are taken the first time that the network has the count of vertices, and never touch
+/// the result. Where the result is fitted to the surface, so are they, each as if it were the
+/// result; where not, they are the network as it is on the way.
 ///
 /// Always ends: where splits and collapses come to balance each other before the target is
 /// reached, as happens when the target is close to the number of distinct points, growth stops
 /// with what it has and reports reachedTarget = false.
 ///
-/// Throws InvalidInput for parameters out of range and a target above the number of distinct
-/// points, Cancelled when `progress` returns false.
+/// Throws InvalidInput for parameters out of range, a target above the number of distinct points,
+/// and a target or a snapshot with fewer vertices than the starting mesh; Cancelled when `progress`
+/// returns false.
 GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-                  const Progress &progress = {});
+                  const Progress &progress = {}, const SnapshotTaker &takeSnapshot = {});
 
 } // namespace neuralmesh

@@ -22,6 +22,20 @@ void requireAtLeast(const char *name, int value, int least)
                            ", not " + std::to_string(value) + ".");
 }
 
+void requireSnapshots(const std::vector<int> &counts, int target)
+{
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const std::string named = "Snapshots names " + std::to_string(counts[i]) + " vertices";
+        if (i > 0 && counts[i] == counts[i - 1])
+            throw InvalidInput(named + " twice.");
+        if (i > 0 && counts[i] < counts[i - 1])
+            throw InvalidInput(named + " after more of them.");
+        if (counts[i] > target)
+            throw InvalidInput(named + ", more than TargetVertNum, which is " +
+                               std::to_string(target) + ".");
+    }
+}
+
 } // namespace
 
 void GrowthParameters::validate() const
@@ -33,6 +47,7 @@ void GrowthParameters::validate() const
     requireAtLeast("SignalsPerSplit", signalsPerSplit, 1);
     requireAtLeast("InactivityFactor", inactivityFactor, 1);
     requireRate("CounterDecay", counterDecay);
+    requireSnapshots(snapshots, targetVertexCount);
 }
 
 } // namespace neuralmesh

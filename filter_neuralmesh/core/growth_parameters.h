@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
+
+#include "starting_mesh.h"
 
 namespace neuralmesh {
 
@@ -45,6 +48,10 @@ struct GrowthParameters {
     bool edgeFlips = true;
     /// Whether growth closes with the surface fit.
     bool surfaceFit = true;
+    /// What the network starts from. Paper: a tetrahedron, "or any closed manifold" (§3).
+    StartMesh startMesh = StartMesh::tetrahedron;
+    /// Vertex counts, ascending, at which the network is shown on its way.
+    std::vector<int> snapshots;
     std::uint64_t seed = 1;
 
     /// Throws InvalidInput, naming the parameter and its range.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_checks.h"
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -60,29 +61,41 @@ void validate(const NeuralMesh &mesh)
         throw std::logic_error("The network is broken: " + defect + ".");
 }
 
-TopologyFigures measureTopology(const NeuralMesh &mesh)
+std::vector<int> labelComponents(const NeuralMesh &mesh)
 {
-    TopologyFigures figures;
-    int corners = 0;
-    std::vector<bool> seen(mesh.idBound(), false);
+    std::vector<int> labels(mesh.idBound(), -1);
     std::vector<VertexId> open;
+    int components = 0;
     for (VertexId seed = 0; seed < mesh.idBound(); ++seed) {
-        if (!mesh.isLive(seed) || seen[seed])
+        if (!mesh.isLive(seed) || labels[seed] >= 0)
             continue;
-        ++figures.components;
-        seen[seed] = true;
+        labels[seed] = components;
         open.push_back(seed);
         while (!open.empty()) {
             const VertexId v = open.back();
             open.pop_back();
-            ++figures.vertices;
-            corners += mesh.valence(v);
             for (const VertexId u : mesh.ring(v))
-                if (!seen[u]) {
-                    seen[u] = true;
+                if (labels[u] < 0) {
+                    labels[u] = components;
                     open.push_back(u);
                 }
         }
+        ++components;
+    }
+    return labels;
+}
+
+TopologyFigures measureTopology(const NeuralMesh &mesh)
+{
+    TopologyFigures figures;
+    const std::vector<int> labels = labelComponents(mesh);
+    int corners = 0;
+    for (VertexId v = 0; v < mesh.idBound(); ++v) {
+        if (!mesh.isLive(v))
+            continue;
+        figures.components = std::max(figures.components, labels[v] + 1);
+        ++figures.vertices;
+        corners += mesh.valence(v);
     }
     figures.edges = corners / 2;
     figures.faces = corners / 3;

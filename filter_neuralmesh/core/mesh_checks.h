@@ -26,6 +26,9 @@ struct TopologyFigures {
     int genus = 0;
 };
 
+/// By vertex id: the number of the vertex's component, from 0; -1 for removed vertices.
+std::vector<int> labelComponents(const NeuralMesh &mesh);
+
 TopologyFigures measureTopology(const NeuralMesh &mesh);
 
 /// Entry k counts the vertices of valence k.

@@ -63,7 +63,9 @@ void removeVertex(NeuralMesh &mesh, VertexId v, std::vector<VertexId> &freeSlots
 
 bool canCollapse(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
-    return mesh.vn > 4 && mesh.ring(v).contains(u) && commonNeighbours(mesh, v, u) == 2;
+    // Two neighbours of valence 3 that pass the link condition are corners of a tetrahedron.
+    return mesh.ring(v).contains(u) && commonNeighbours(mesh, v, u) == 2 &&
+           (mesh.valence(v) > 3 || mesh.valence(u) > 3);
 }
 
 void collapse(NeuralMesh &mesh, VertexId v, VertexId u, std::vector<VertexId> &freeSlots)

@@ -28,8 +28,8 @@ VertexId addVertex(NeuralMesh &mesh, std::vector<VertexId> &freeSlots, Point3 po
 void removeVertex(NeuralMesh &mesh, VertexId v, std::vector<VertexId> &freeSlots);
 
 /// Whether edge (v, u) may collapse: the link condition (v and u have just their two opposite
-/// vertices in common) and more than four vertices, so that a tetrahedron stays one. False where
-/// v and u are no neighbours.
+/// vertices in common), and their component is no tetrahedron, which stays one. False where v and
+/// u are no neighbours.
 bool canCollapse(const NeuralMesh &mesh, VertexId v, VertexId u);
 
 /// Removes v by collapsing edge (v, u) into u, whose position stays. Requires canCollapse(v, u).

@@ -8,6 +8,7 @@
 #include "annulus_triangulation.h"
 #include "filling_cost.h"
 #include "handle_loop.h"
+#include "mesh_checks.h"
 #include "ring_surgery.h"
 #include "ring_topology.h"
 #include "unsupported_patches.h"
@@ -66,7 +67,8 @@ class TearMending {
 public:
     TearMending(NeuralMesh &mesh, const SampleSupport &support, int mostVertices,
                 std::vector<VertexId> &freeSlots)
-        : mesh_(mesh), support_(support), mostVertices_(mostVertices), freeSlots_(freeSlots)
+        : mesh_(mesh), support_(support), mostVertices_(mostVertices), freeSlots_(freeSlots),
+          components_(labelComponents(mesh))
     {
     }
 
@@ -108,9 +110,11 @@ private:
         }
     }
 
-    /// Whether the two are near enough and apart from each other.
+    /// Whether the two are of one component, near enough and apart from each other.
     bool mayFace(std::size_t i, std::size_t j) const
     {
+        if (components_[patches_[i].rim.front()] != components_[patches_[j].rim.front()])
+            return false;
         Box3 wide = bounds_[i];
         wide.Offset(std::min(bounds_[i].Diag(), bounds_[j].Diag()) / 2);
         if (!wide.Collide(bounds_[j]))
@@ -264,6 +268,7 @@ private:
     const SampleSupport &support_;
     int mostVertices_;
     std::vector<VertexId> &freeSlots_;
+    std::vector<int> components_; ///< by vertex, before anything is changed
     std::vector<Patch> patches_;
     std::vector<Box3> bounds_; ///< of their rims
 };

@@ -5,15 +5,15 @@
 
 #include "core/errors.h"
 #include "core/growth.h"
+#include "filter_descriptions.h"
 #include "filter_parameters.h"
 #include "filter_results.h"
 #include "host_progress.h"
 #include "layers.h"
-#include "samplers/point_cloud_sampler.h"
 
 FilterNeuralMesh::FilterNeuralMesh()
 {
-    typeList = {NeuralMeshReconstruction};
+    typeList = {FromLayers, FromImplicitSurface, FromParametricSurface};
     for (const ActionIDType id : typeList)
         actionList.push_back(new QAction(filterName(id), this));
 }
@@ -31,7 +31,9 @@ QString FilterNeuralMesh::vendor() const
 QString FilterNeuralMesh::filterName(ActionIDType filter) const
 {
     switch (filter) {
-    case NeuralMeshReconstruction: return "Neural Mesh Reconstruction";
+    case FromLayers: return "Neural Mesh Reconstruction";
+    case FromImplicitSurface: return "Neural Mesh from Implicit Surface";
+    case FromParametricSurface: return "Neural Mesh from Parametric Surface";
     default: return QString();
     }
 }
@@ -39,7 +41,9 @@ QString FilterNeuralMesh::filterName(ActionIDType filter) const
 QString FilterNeuralMesh::pythonFilterName(ActionIDType filter) const
 {
     switch (filter) {
-    case NeuralMeshReconstruction: return "generate_surface_reconstruction_neural_mesh";
+    case FromLayers: return "generate_surface_reconstruction_neural_mesh";
+    case FromImplicitSurface: return "create_neural_mesh_from_implicit_surface";
+    case FromParametricSurface: return "create_neural_mesh_from_parametric_surface";
     default: return QString();
     }
 }
@@ -47,29 +51,23 @@ QString FilterNeuralMesh::pythonFilterName(ActionIDType filter) const
 QString FilterNeuralMesh::filterInfo(ActionIDType filter) const
 {
     switch (filter) {
-    case NeuralMeshReconstruction:
-        return "Reconstructs a closed surface from the points of the current layer with a growing "
-               "neural network: a tetrahedron that is moved by random samples of the points and "
-               "grows by vertex splits until it has exactly the number of vertices asked for. "
-               "<br>Needs no normals; the result is a closed two-manifold of genus 0 with even "
-               "triangles; the running time does not depend on the number of points. Not for open "
-               "surfaces or surfaces with handles: the result has the topology of a sphere."
-               "<br><br>See:<br>"
-               "<i>I. Ivrissimtzis, W.-K. Jeong, H.-P. Seidel</i><br>"
-               "<b>\"Using Growing Cell Structures for Surface Reconstruction\"</b><br>"
-               "Shape Modeling International 2003";
+    case FromLayers: return aboutReconstruction();
+    case FromImplicitSurface: return aboutImplicitSurface();
+    case FromParametricSurface: return aboutParametricSurface();
     default: return QString();
     }
 }
 
-FilterPlugin::FilterClass FilterNeuralMesh::getClass(const QAction *) const
+FilterPlugin::FilterClass FilterNeuralMesh::getClass(const QAction *action) const
 {
-    return static_cast<FilterClass>(FilterPlugin::Remeshing | FilterPlugin::PointSet);
+    if (ID(action) == FromLayers)
+        return static_cast<FilterClass>(FilterPlugin::Remeshing | FilterPlugin::PointSet);
+    return FilterPlugin::MeshCreation;
 }
 
-FilterPlugin::FilterArity FilterNeuralMesh::filterArity(const QAction *) const
+FilterPlugin::FilterArity FilterNeuralMesh::filterArity(const QAction *action) const
 {
-    return SINGLE_MESH;
+    return ID(action) == FromLayers ? SINGLE_MESH : NONE;
 }
 
 int FilterNeuralMesh::postCondition(const QAction *) const
@@ -77,10 +75,13 @@ int FilterNeuralMesh::postCondition(const QAction *) const
     return MeshModel::MM_NONE; // existing layers stay as they are
 }
 
-RichParameterList FilterNeuralMesh::initParameterList(const QAction *action, const MeshDocument &)
+RichParameterList FilterNeuralMesh::initParameterList(const QAction *action,
+                                                      const MeshDocument &document)
 {
     switch (ID(action)) {
-    case NeuralMeshReconstruction: return reconstructionParameters();
+    case FromLayers: return reconstructionParameters(document);
+    case FromImplicitSurface: return implicitParameters(document);
+    case FromParametricSurface: return parametricParameters(document);
     default: return {};
     }
 }
@@ -94,7 +95,15 @@ std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *act
     postConditionMask = MeshModel::MM_NONE;
     try {
         switch (ID(action)) {
-        case NeuralMeshReconstruction: return reconstruct(parameters, document, callback);
+        case FromLayers:
+            return reconstruct(parameters, document, callback,
+                               [&] { return makeTargetSpace(parameters, document); });
+        case FromImplicitSurface:
+            return reconstruct(parameters, document, callback,
+                               [&] { return makeImplicitSurface(parameters); });
+        case FromParametricSurface:
+            return reconstruct(parameters, document, callback,
+                               [&] { return makeParametricSurface(parameters); });
         default: wrongActionCalled(action); return {};
         }
     } catch (const neuralmesh::InvalidInput &error) {
@@ -106,28 +115,37 @@ std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *act
     }
 }
 
-std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParameterList &parameters,
-                                                              MeshDocument &document,
-                                                              vcg::CallBackPos *callback)
+std::map<std::string, QVariant>
+FilterNeuralMesh::reconstruct(const RichParameterList &parameters, MeshDocument &document,
+                              vcg::CallBackPos *callback,
+                              const std::function<TargetSpace()> &makeTarget)
 {
     const auto start = std::chrono::steady_clock::now();
     const neuralmesh::GrowthParameters growthParameters = readGrowthParameters(parameters);
     growthParameters.validate();
-    const MeshModel &input = currentLayer(document);
-    const neuralmesh::PointCloudSampler sampler(worldPoints(input));
+    const TargetSpace target = makeTarget();
+    const neuralmesh::UnitFrame &frame = target.sampler->frame();
 
     Reconstruction result;
     result.seed = growthParameters.seed;
-    result.diagonal = sampler.frame().diagonal();
-    result.growth =
-        neuralmesh::grow(result.mesh, sampler, growthParameters, throttledProgress(callback));
+    result.diagonal = frame.diagonal();
+    if (growthParameters.startMesh == neuralmesh::StartMesh::given)
+        makeStartingMesh(result.mesh, startLayer(document, parameters.getMeshId("StartLayer")),
+                         frame);
+    const auto keep = [&](std::unique_ptr<neuralmesh::NeuralMesh> snapshot) {
+        result.snapshots.push_back(std::move(snapshot));
+    };
+    result.growth = neuralmesh::grow(result.mesh, *target.sampler, growthParameters,
+                                     throttledProgress(callback), keep);
     result.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     log(summary(result));
-    if (sampler.outlierShare() > 0)
-        log("About %.1f %% of the points stand alone and were taken for outliers.",
-            100 * sampler.outlierShare());
-    addLayer(document, result.mesh, sampler.frame(), resultLabel(input));
+    if (!target.remark.empty())
+        log(target.remark);
+    const QString label = target.name + " neural mesh";
+    for (const auto &snapshot : result.snapshots)
+        addLayer(document, *snapshot, frame, label + " " + QString::number(snapshot->vn));
+    addLayer(document, result.mesh, frame, label);
     return resultValues(result);
 }

@@ -2,7 +2,11 @@
 // The MeshLab filter plugin: translates between the host and the core, and does nothing else.
 #pragma once
 
+#include <functional>
+
 #include <common/plugins/interfaces/filter_plugin.h>
+
+#include "target_space.h"
 
 class FilterNeuralMesh : public QObject, public FilterPlugin {
     Q_OBJECT
@@ -10,7 +14,7 @@ class FilterNeuralMesh : public QObject, public FilterPlugin {
     Q_INTERFACES(FilterPlugin)
 
 public:
-    enum FilterId { NeuralMeshReconstruction };
+    enum FilterId { FromLayers, FromImplicitSurface, FromParametricSurface };
 
     FilterNeuralMesh();
 
@@ -37,5 +41,6 @@ public:
 
 private:
     std::map<std::string, QVariant> reconstruct(const RichParameterList &parameters,
-                                                MeshDocument &document, vcg::CallBackPos *callback);
+                                                MeshDocument &document, vcg::CallBackPos *callback,
+                                                const std::function<TargetSpace()> &makeTarget);
 };

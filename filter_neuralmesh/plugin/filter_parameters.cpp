@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_parameters.h"
 
+#include <algorithm>
 #include <random>
 
 #include "core/errors.h"
+#include "target_space.h"
 
 namespace {
 
@@ -64,22 +66,121 @@ void addGrowthParameters(RichParameterList &list)
                            advanced));
 }
 
-} // namespace
-
-RichParameterList reconstructionParameters()
+void addResultParameters(RichParameterList &list)
 {
     const neuralmesh::GrowthParameters d;
-    RichParameterList list;
     list.addParam(RichInt("TargetVertNum", d.targetVertexCount, "Target number of vertices",
                           "Exact number of vertices of the result, at least 4 and at most the "
                           "number of distinct input points. A closed mesh of genus 0 has twice as "
                           "many faces, less 4."));
-    list.addParam(RichInt("RandomSeed", static_cast<int>(d.seed), "Random seed",
-                          "The same seed gives the same mesh. 0 takes a fresh seed and reports "
-                          "it."));
+}
+
+void addCommonParameters(RichParameterList &list)
+{
+    const neuralmesh::GrowthParameters d;
+    list.addParam(RichString("Snapshots", "", "Snapshots",
+                             "Vertex counts on the way to the target, separated by commas, such as "
+                             "20,100,1000: each becomes a layer of its own. They are finished by "
+                             "the surface fit like the result; without it they are the growing "
+                             "network as it is."));
     list.addParam(RichBool("SurfaceFit", d.surfaceFit, "Surface fit",
                            "Closes with a fit of the faces to the points: several times more "
                            "accurate, for a sixth more time."));
+    list.addParam(RichInt("RandomSeed", static_cast<int>(d.seed), "Random seed",
+                          "The same seed gives the same mesh. 0 takes a fresh seed and reports "
+                          "it."));
+}
+
+void addStartParameters(RichParameterList &list, const MeshDocument &document)
+{
+    const neuralmesh::GrowthParameters d;
+    const MeshModel *current = document.mm();
+    list.addParam(RichEnum("StartMesh", static_cast<int>(d.startMesh),
+                           {"Tetrahedron", "Octahedron", "Icosahedron", "A layer"}, "Starting mesh",
+                           "What the network grows from. Its topology is that of the result.",
+                           advanced));
+    list.addParam(RichMesh("StartLayer", current == nullptr ? 0U : current->id(), &document,
+                           "Starting layer",
+                           "With a layer as the starting mesh: a closed two-manifold, with as many "
+                           "handles and components as the result shall have, roughly in place.",
+                           advanced));
+}
+
+/// "20, 100,1000", in any order. Empty: none.
+std::vector<int> readSnapshots(const RichParameterList &parameters)
+{
+    std::vector<int> counts;
+    const QString text = parameters.getString("Snapshots").trimmed();
+    if (text.isEmpty())
+        return counts;
+    for (const QString &entry : text.split(',')) {
+        bool isCount = false;
+        counts.push_back(entry.trimmed().toInt(&isCount));
+        if (!isCount)
+            throw neuralmesh::InvalidInput(
+                "Snapshots must be vertex counts separated by commas, such as 20,100,1000: '" +
+                entry.trimmed().toStdString() + "' is none.");
+    }
+    std::sort(counts.begin(), counts.end());
+    return counts;
+}
+
+} // namespace
+
+RichParameterList reconstructionParameters(const MeshDocument &document)
+{
+    RichParameterList list;
+    addResultParameters(list);
+    list.addParam(RichEnum("Source", static_cast<int>(Source::pointsOfLayer), sourceLabels(),
+                           "Source",
+                           "What is sampled: vertices, each as likely as any other, or faces, "
+                           "uniformly by area. Layers are taken with their matrices."));
+    addCommonParameters(list);
+    addStartParameters(list, document);
+    list.addParam(RichBool("DensityFromQuality", false, "Density from quality",
+                           "Samples points in proportion to vertex quality, so that vertices go "
+                           "where it is high. None may be negative.",
+                           advanced));
+    addGrowthParameters(list);
+    return list;
+}
+
+RichParameterList implicitParameters(const MeshDocument &document)
+{
+    RichParameterList list;
+    list.addParam(RichString("expr", "x*x+y*y+z*z-0.5", "Function =",
+                             "Expression in x, y and z whose zeros are the surface, in the syntax "
+                             "of muParser, as in the filter Implicit Surface."));
+    const QString meaning = "Box in which the surface is looked for. Where the surface leaves the "
+                            "box it is open, and the network closes it.";
+    for (const QString axis : {"X", "Y", "Z"})
+        list.addParam(RichFloat("min" + axis, -1, "Min " + axis, meaning));
+    for (const QString axis : {"X", "Y", "Z"})
+        list.addParam(RichFloat("max" + axis, 1, "Max " + axis, meaning));
+    addResultParameters(list);
+    addCommonParameters(list);
+    addStartParameters(list, document);
+    addGrowthParameters(list);
+    return list;
+}
+
+RichParameterList parametricParameters(const MeshDocument &document)
+{
+    RichParameterList list;
+    const QString meaning = "Expression in u and v, in the syntax of muParser.";
+    list.addParam(RichString("x", "cos(u)*sin(v)", "x =", meaning));
+    list.addParam(RichString("y", "sin(u)*sin(v)", "y =", meaning));
+    list.addParam(RichString("z", "cos(v)", "z =", meaning));
+    const auto pi = static_cast<Scalarm>(M_PI);
+    const QString range = "Range of the parameter. Where the surface has a boundary, the network "
+                          "closes it.";
+    list.addParam(RichFloat("minU", 0, "Min U", range));
+    list.addParam(RichFloat("maxU", 2 * pi, "Max U", range));
+    list.addParam(RichFloat("minV", 0, "Min V", range));
+    list.addParam(RichFloat("maxV", pi, "Max V", range));
+    addResultParameters(list);
+    addCommonParameters(list);
+    addStartParameters(list, document);
     addGrowthParameters(list);
     return list;
 }
@@ -97,6 +198,8 @@ neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &param
     growth.splitRule = static_cast<neuralmesh::SplitRule>(parameters.getEnum("SplitRule"));
     growth.surfaceFit = parameters.getBool("SurfaceFit");
     growth.edgeFlips = parameters.getBool("EdgeFlips");
+    growth.startMesh = static_cast<neuralmesh::StartMesh>(parameters.getEnum("StartMesh"));
+    growth.snapshots = readSnapshots(parameters);
     growth.seed = readSeed(parameters);
     return growth;
 }

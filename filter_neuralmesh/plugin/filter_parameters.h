@@ -2,13 +2,17 @@
 // The one place where parameters of the core meet parameters of the host.
 #pragma once
 
+#include <common/ml_document/mesh_document.h>
 #include <common/parameters/rich_parameter_list.h>
 
 #include "core/growth_parameters.h"
 
-/// What the filter's dialog and scripts offer, with the core's defaults.
-RichParameterList reconstructionParameters();
+/// What each filter's dialog and scripts offer, with the core's defaults. The document is that of
+/// which a starting layer can be chosen.
+RichParameterList reconstructionParameters(const MeshDocument &document);
+RichParameterList implicitParameters(const MeshDocument &document);
+RichParameterList parametricParameters(const MeshDocument &document);
 
 /// The core's parameters, not validated yet. A RandomSeed of 0 becomes a fresh positive seed.
-/// Throws InvalidInput for a negative RandomSeed.
+/// Throws InvalidInput for a negative RandomSeed and for Snapshots that are no list of counts.
 neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &parameters);

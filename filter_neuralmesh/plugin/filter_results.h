@@ -4,12 +4,15 @@
 
 #include <QVariant>
 #include <map>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "core/growth.h"
 
 struct Reconstruction {
     neuralmesh::NeuralMesh mesh;
+    std::vector<std::unique_ptr<neuralmesh::NeuralMesh>> snapshots; ///< by vertex count, ascending
     neuralmesh::GrowthReport growth;
     std::uint64_t seed = 0;
     double diagonal = 0; ///< of the input's bounding box: errors of the growth are in units of it

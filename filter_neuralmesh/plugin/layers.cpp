@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "layers.h"
 
+#include <cmath>
+
 #include "core/errors.h"
+#include "core/manifold_mesh.h"
 
 namespace {
 
@@ -23,10 +26,16 @@ const MeshModel &currentLayer(const MeshDocument &document)
     return *layer;
 }
 
+const MeshModel &startLayer(const MeshDocument &document, unsigned int id)
+{
+    const MeshModel *layer = document.getMesh(id);
+    if (layer == nullptr)
+        throw neuralmesh::InvalidInput("StartMesh is a layer, but StartLayer names none.");
+    return *layer;
+}
+
 std::vector<vcg::Point3d> worldPoints(const MeshModel &layer)
 {
-    if (layer.cm.vn == 0)
-        throw neuralmesh::InvalidInput("The current layer has no vertices.");
     const vcg::Matrix44d matrix = matrixOf(layer);
     std::vector<vcg::Point3d> points;
     points.reserve(static_cast<std::size_t>(layer.cm.vn));
@@ -36,12 +45,58 @@ std::vector<vcg::Point3d> worldPoints(const MeshModel &layer)
     return points;
 }
 
-QString resultLabel(const MeshModel &input)
+std::vector<neuralmesh::Corners> faceCorners(const MeshModel &layer)
 {
-    QString name = QFileInfo(input.label()).completeBaseName();
+    std::vector<neuralmesh::VertexId> places(layer.cm.vert.size(), neuralmesh::noVertex);
+    neuralmesh::VertexId place = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (!layer.cm.vert[i].IsD())
+            places[i] = place++;
+    std::vector<neuralmesh::Corners> faces;
+    faces.reserve(static_cast<std::size_t>(layer.cm.fn));
+    for (const CFaceO &face : layer.cm.face) {
+        if (face.IsD())
+            continue;
+        neuralmesh::Corners corners;
+        for (int c = 0; c < 3; ++c)
+            corners[static_cast<std::size_t>(c)] = places[vcg::tri::Index(layer.cm, face.cV(c))];
+        faces.push_back(corners);
+    }
+    return faces;
+}
+
+std::vector<double> vertexQualities(const MeshModel &layer)
+{
+    if (!layer.hasDataMask(MeshModel::MM_VERTQUALITY))
+        throw neuralmesh::InvalidInput("DensityFromQuality: layer '" + layer.label().toStdString() +
+                                       "' has no vertex quality. Compute one first.");
+    std::vector<double> qualities;
+    qualities.reserve(static_cast<std::size_t>(layer.cm.vn));
+    for (const CVertexO &vertex : layer.cm.vert)
+        if (!vertex.IsD())
+            qualities.push_back(static_cast<double>(vertex.cQ()));
+    return qualities;
+}
+
+void makeStartingMesh(neuralmesh::NeuralMesh &mesh, const MeshModel &layer,
+                      const neuralmesh::UnitFrame &frame)
+{
+    std::vector<neuralmesh::Point3> points;
+    for (const vcg::Point3d &p : worldPoints(layer)) {
+        if (!std::isfinite(p.SquaredNorm()))
+            throw neuralmesh::InvalidInput("The starting layer has coordinates that are NaN, "
+                                           "infinite or too large.");
+        points.push_back(frame.toUnit(p));
+    }
+    neuralmesh::makeManifold(mesh, points, faceCorners(layer));
+}
+
+QString nameOf(const MeshModel &layer)
+{
+    QString name = QFileInfo(layer.label()).completeBaseName();
     if (name.isEmpty())
-        name = input.label();
-    return name.replace('.', '_') + " neural mesh";
+        name = layer.label();
+    return name.replace('.', '_');
 }
 
 void addLayer(MeshDocument &document, const neuralmesh::NeuralMesh &network,

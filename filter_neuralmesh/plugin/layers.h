@@ -4,20 +4,33 @@
 
 #include <common/ml_document/mesh_document.h>
 
+#include "core/face_table.h"
 #include "core/neural_mesh.h"
 #include "core/unit_frame.h"
 
 /// The current layer. Throws InvalidInput where the document has none.
 const MeshModel &currentLayer(const MeshDocument &document);
 
-/// The layer's vertices that are not deleted, in world coordinates: with the layer's matrix.
-std::vector<vcg::Point3d> worldPoints(const MeshModel &layer);
+/// The layer with this id. Throws InvalidInput, speaking of StartLayer, where there is none.
+const MeshModel &startLayer(const MeshDocument &document, unsigned int id);
 
-/// Label of the result: "NAME neural mesh", without the dots that the host would take for a
-/// file's extension.
-QString resultLabel(const MeshModel &input);
+/// A layer as the core takes it: vertices and faces that are not deleted, in world coordinates,
+/// with the layer's matrix. Vertices are numbered without the deleted ones, as users see them.
+std::vector<vcg::Point3d> worldPoints(const MeshModel &layer);
+std::vector<neuralmesh::Corners> faceCorners(const MeshModel &layer);
+
+/// Quality of the same vertices. Throws InvalidInput where the layer has none.
+std::vector<double> vertexQualities(const MeshModel &layer);
+
+/// Makes `mesh` the layer's faces, in the frame given, for growth to start from. Throws
+/// InvalidInput where they are no closed two-manifold.
+void makeStartingMesh(neuralmesh::NeuralMesh &mesh, const MeshModel &layer,
+                      const neuralmesh::UnitFrame &frame);
+
+/// A layer's label without the dots that the host would take for a file's extension.
+QString nameOf(const MeshModel &layer);
 
 /// Adds the network to the document as a new layer, current, with an identity matrix, in world
-/// coordinates, normals computed. The network needs its faces.
+/// coordinates, normals computed. The network needs its faces; the label must not have dots.
 void addLayer(MeshDocument &document, const neuralmesh::NeuralMesh &network,
               const neuralmesh::UnitFrame &frame, const QString &label);

@@ -2,21 +2,15 @@
 #include "samplers/point_cloud_sampler.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <unordered_set>
 
 #include "core/errors.h"
-#include "core/point_statistics.h"
+#include "samplers/input_checks.h"
 
 namespace neuralmesh {
 namespace {
-
-/// Extent, as a share of the diagonal, below which points count as lying on a plane or a line:
-/// above the rounding of single-precision input, below any real relief.
-constexpr double flatExtent = 1e-6;
 
 /// Up to so many points are sifted for outliers beforehand; of more, those that are drawn.
 constexpr std::size_t mostPointsSifted = 200000;
@@ -36,74 +30,37 @@ struct PointHash {
     }
 };
 
-bool isFinite(const vcg::Point3d &p)
-{
-    return std::isfinite(p.X()) && std::isfinite(p.Y()) && std::isfinite(p.Z());
-}
-
-void requireFinite(const std::vector<vcg::Point3d> &points)
-{
-    std::size_t broken = 0;
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (!isFinite(points[i]) && broken++ == 0)
-            first = i;
-    if (broken > 0)
-        throw InvalidInput(
-            std::to_string(broken) + " of " + std::to_string(points.size()) +
-            " points have coordinates that are NaN or infinite (the first is point " +
-            std::to_string(first) + "). Remove them and try again.");
-}
-
-/// Widths of the points along their principal axes, ascending, in units of the diagonal.
-Eigen::Vector3d principalWidths(const std::vector<Point3> &points)
-{
-    const PrincipalAxes frame = principalAxes(points);
-    Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-    Eigen::Vector3d high = -low;
-    for (const Point3 &p : points) {
-        const Eigen::Vector3d along = frame.axes.transpose() * (toEigen(p) - frame.mean);
-        low = low.cwiseMin(along);
-        high = high.cwiseMax(along);
-    }
-    return high - low;
-}
-
-void requireSolid(const std::vector<Point3> &points)
-{
-    const Eigen::Vector3d widths = principalWidths(points);
-    if (widths[1] < flatExtent)
-        throw InvalidInput("All points lie on a line: there is no surface to reconstruct.");
-    if (widths[0] < flatExtent)
-        throw InvalidInput("All points lie on a plane: a closed surface, which this filter "
-                           "makes, cannot be fitted to them.");
-}
-
 } // namespace
 
-PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d> &world)
+PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d> &world,
+                                     const std::vector<double> &density)
 {
     if (world.empty())
         throw InvalidInput("There are no points to reconstruct a surface from.");
     requireFinite(world);
+    const auto isDrawn = [&](std::size_t i) { return density.empty() || density[i] > 0; };
     vcg::Box3d worldBounds;
-    for (const vcg::Point3d &p : world)
-        worldBounds.Add(p);
-    if (!std::isfinite(worldBounds.Diag()))
-        throw InvalidInput("The points' coordinates are too large: their bounding box's diagonal "
-                           "is not finite.");
-    if (worldBounds.Diag() <= 0)
-        throw InvalidInput("All points lie in one place: there is no surface to reconstruct.");
-    frame_ = UnitFrame(worldBounds);
+    for (std::size_t i = 0; i < world.size(); ++i)
+        if (isDrawn(i))
+            worldBounds.Add(world[i]);
+    frame_ = frameOf(worldBounds);
     points_.reserve(world.size());
-    for (const vcg::Point3d &p : world) {
-        points_.push_back(frame_.toUnit(p));
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < world.size(); ++i) {
+        if (!isDrawn(i))
+            continue;
+        points_.push_back(frame_.toUnit(world[i]));
         bounds_.Add(points_.back());
+        if (!density.empty())
+            weights.push_back(density[i]);
     }
     if (const std::size_t distinct = countDistinctPoints(4); distinct < 4)
         throw InvalidInput("Only " + std::to_string(distinct) +
                            " distinct points: a closed surface needs at least 4.");
-    setAsideOutliers();
+    if (density.empty())
+        setAsideOutliers();
+    else
+        byDensity_.emplace(weights);
     requireSolid(points_);
 }
 
@@ -128,11 +85,17 @@ void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Poin
     for (Point3 &sample : samples) {
         // At most a fifth are outliers: 64 in a row do not happen.
         for (int tries = 0; tries < 64; ++tries) {
-            sample = points_[random.below(points_.size())];
+            sample = points_[drawIndex(random)];
             if (!outliers_ || !outliers_->isOutlier(sample))
                 break;
         }
     }
+}
+
+std::size_t PointCloudSampler::drawIndex(Random &random) const
+{
+    return byDensity_ ? byDensity_->draw(random)
+                      : static_cast<std::size_t>(random.below(points_.size()));
 }
 
 std::size_t PointCloudSampler::countDistinctPoints(std::size_t enough) const

@@ -99,5 +99,32 @@ TEST(PointCloudSampler, says_how_many_coordinates_are_not_finite_and_where_the_f
     EXPECT_NE(sentence.find("point 7"), std::string::npos);
 }
 
+TEST(PointCloudSampler, draws_points_in_proportion_to_a_density)
+{
+    const PointCloudSampler sampler({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}},
+                                    {0.1, 0.2, 0.3, 0.4, 0});
+    Random random(1);
+    std::vector<Point3> samples;
+    sampler.draw(random, 100000, samples);
+    std::map<int, int> counts;
+    for (const Point3 &sample : samples) {
+        const vcg::Point3d world = sampler.frame().toWorld(sample);
+        ++counts[static_cast<int>(std::lround(world.X() + 2 * world.Y() + 3 * world.Z()))];
+    }
+    ASSERT_EQ(counts.size(), 4U); // the last point is never drawn
+    // Five standard deviations of a binomial: at most 775.
+    for (int i = 0; i < 4; ++i)
+        EXPECT_NEAR(counts[i], 10000 * (i + 1), 775) << i;
+}
+
+TEST(PointCloudSampler, points_of_density_0_are_as_if_they_were_not_there)
+{
+    const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}};
+    const PointCloudSampler sampler(points, {1, 1, 1, 1, 0});
+    EXPECT_EQ(sampler.countDistinctPoints(10), 4U);
+    EXPECT_EQ(sampler.pointCount(), 4U);
+    EXPECT_NEAR(sampler.frame().diagonal(), std::sqrt(3), 1e-12);
+}
+
 } // namespace
 } // namespace neuralmesh

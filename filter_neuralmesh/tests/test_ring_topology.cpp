@@ -85,6 +85,32 @@ TEST(RingTopology, can_collapse_refuses_every_edge_of_a_tetrahedron)
     compareCollapsesWithVcg(mesh);
 }
 
+TEST(RingTopology, can_collapse_leaves_each_component_a_tetrahedron)
+{
+    NeuralMesh mesh;
+    test::makeMesh(mesh,
+                   {{1, 1, 1},
+                    {1, -1, -1},
+                    {-1, 1, -1},
+                    {-1, -1, 1},
+                    {9, 1, 1},
+                    {9, -1, -1},
+                    {7, 1, -1},
+                    {7, -1, 1}},
+                   {{{0, 1, 2}},
+                    {{0, 3, 1}},
+                    {{0, 2, 3}},
+                    {{1, 3, 2}},
+                    {{4, 5, 6}},
+                    {{4, 7, 5}},
+                    {{4, 6, 7}},
+                    {{5, 7, 6}}});
+    for (const VertexId v : liveVertices(mesh))
+        for (const VertexId u : mesh.ring(v))
+            EXPECT_FALSE(canCollapse(mesh, v, u));
+    compareCollapsesWithVcg(mesh);
+}
+
 TEST(RingTopology, can_collapse_agrees_with_vcg_on_small_meshes)
 {
     NeuralMesh mesh;

@@ -125,6 +125,25 @@ TEST(TearMending, two_posts_that_end_at_a_gap_stay_as_they_are)
     EXPECT_EQ(findDefect(mesh), "");
 }
 
+TEST(TearMending, components_are_not_joined_though_one_has_a_handle_that_could_be_cut)
+{
+    std::vector<Point3> points;
+    std::vector<test::Triangle> faces;
+    addHalf(points, faces, 1);
+    addHalf(points, faces, -1);
+    NeuralMesh mesh;
+    test::makeMesh(mesh, points, faces);
+    const VertexId up = sides;
+    bridgeDiscs(mesh, rimOf(up, up + 1, up + sides + 1), rimOf(up + 4, up + 5, up + sides + 5),
+                {{0, 0}, {1, 0}, {1, 2}, {2, 2}, {2, 1}, {0, 1}});
+    ASSERT_EQ(findDefect(mesh), "");
+    ASSERT_EQ(measureTopology(mesh).genus, 1);
+    std::vector<VertexId> freeSlots;
+    EXPECT_FALSE(mendTear(mesh, supportOfPost(true), 1000, freeSlots));
+    EXPECT_EQ(measureTopology(mesh).components, 2);
+    EXPECT_EQ(measureTopology(mesh).genus, 1);
+}
+
 TEST(TearMending, a_tear_stays_where_mending_it_would_pass_the_target)
 {
     NeuralMesh mesh;

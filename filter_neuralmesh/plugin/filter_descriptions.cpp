@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_descriptions.h"
+
+namespace {
+
+QString withReference(const QString &text)
+{
+    return text + "<br><br>See:<br>"
+                  "<i>I. Ivrissimtzis, W.-K. Jeong, H.-P. Seidel</i><br>"
+                  "<b>\"Using Growing Cell Structures for Surface Reconstruction\"</b><br>"
+                  "Shape Modeling International 2003";
+}
+
+} // namespace
+
+QString aboutReconstruction()
+{
+    return withReference(
+        "Reconstructs a closed surface from points with a growing neural network: a tetrahedron "
+        "that is moved by random samples of the points and grows by vertex splits until it has "
+        "exactly the number of vertices asked for."
+        "<br>The points are those of the current layer, of its surface, or of all visible layers. "
+        "Needs no normals; the result is a closed two-manifold with even triangles; the running "
+        "time does not depend on the number of points. The result has the topology of a sphere, "
+        "or that of the layer that it starts from: open surfaces are closed.");
+}
+
+QString aboutImplicitSurface()
+{
+    return withReference(
+        "Makes a closed mesh of exactly the number of vertices asked for from the surface on which "
+        "a function of x, y and z is zero, with a growing neural network: a tetrahedron that is "
+        "moved by random points of the surface, uniform by area, and grows by vertex splits."
+        "<br>Unlike marching cubes it makes even triangles. The result has the topology of a "
+        "sphere, or that of the layer that it starts from: where the surface leaves the box, it is "
+        "closed.");
+}
+
+QString aboutParametricSurface()
+{
+    return withReference(
+        "Makes a closed mesh of exactly the number of vertices asked for from the surface that x, "
+        "y and z as functions of u and v describe, with a growing neural network: a tetrahedron "
+        "that is moved by random points of the surface, uniform by area, and grows by vertex "
+        "splits."
+        "<br>The result has the topology of a sphere, or that of the layer that it starts from: "
+        "where the surface has a boundary, it is closed.");
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "target_space.h"
+
+#include <cstdio>
+
+#include "core/errors.h"
+#include "layers.h"
+#include "samplers/implicit_sampler.h"
+#include "samplers/input_checks.h"
+#include "samplers/parametric_sampler.h"
+#include "samplers/point_cloud_sampler.h"
+#include "samplers/surface_sampler.h"
+
+namespace {
+
+using neuralmesh::InvalidInput;
+
+/// The points of several layers, with a density for each where one is asked for.
+class PointCollection {
+public:
+    explicit PointCollection(bool withDensity) : withDensity_(withDensity) {}
+
+    void add(const MeshModel &layer)
+    {
+        const std::vector<vcg::Point3d> points = worldPoints(layer);
+        points_.insert(points_.end(), points.begin(), points.end());
+        if (!withDensity_)
+            return;
+        const std::vector<double> qualities = vertexQualities(layer);
+        qualities_.insert(qualities_.end(), qualities.begin(), qualities.end());
+    }
+
+    TargetSpace targetSpace(const QString &name)
+    {
+        auto sampler = std::make_unique<neuralmesh::PointCloudSampler>(
+            points_,
+            withDensity_ ? neuralmesh::densityFrom(std::move(qualities_)) : std::vector<double>());
+        std::string remark;
+        if (sampler->outlierShare() > 0) {
+            char line[128];
+            std::snprintf(line, sizeof line,
+                          "About %.1f %% of the points stand alone and were taken for outliers.",
+                          100 * sampler->outlierShare());
+            remark = line;
+        }
+        return {std::move(sampler), name, remark};
+    }
+
+private:
+    bool withDensity_;
+    std::vector<vcg::Point3d> points_;
+    std::vector<double> qualities_;
+};
+
+TargetSpace pointsOfLayer(const MeshModel &layer, bool withDensity)
+{
+    if (layer.cm.vn == 0)
+        throw InvalidInput("The current layer has no vertices.");
+    PointCollection points(withDensity);
+    points.add(layer);
+    return points.targetSpace(nameOf(layer));
+}
+
+TargetSpace surfaceOfLayer(const MeshModel &layer, bool withDensity)
+{
+    if (layer.cm.fn == 0)
+        throw InvalidInput("The current layer has no faces, so it has no surface to sample: choose "
+                           "its points as the Source.");
+    const std::vector<double> density =
+        withDensity ? neuralmesh::densityFrom(vertexQualities(layer)) : std::vector<double>();
+    return {std::make_unique<neuralmesh::SurfaceSampler>(worldPoints(layer), faceCorners(layer),
+                                                         density),
+            nameOf(layer),
+            {}};
+}
+
+TargetSpace pointsOfVisibleLayers(const MeshDocument &document, bool withDensity)
+{
+    PointCollection points(withDensity);
+    bool hasAny = false;
+    for (const MeshModel &layer : document.meshIterator()) {
+        if (!layer.isVisible() || layer.cm.vn == 0)
+            continue;
+        points.add(layer);
+        hasAny = true;
+    }
+    if (!hasAny)
+        throw InvalidInput("No visible layer has vertices.");
+    return points.targetSpace("visible layers");
+}
+
+neuralmesh::Expression expression(const RichParameterList &parameters, const char *name,
+                                  const char *variables)
+{
+    return {name, parameters.getString(name).toStdString(), variables};
+}
+
+} // namespace
+
+QStringList sourceLabels()
+{
+    return {"Points of the current layer", "Surface of the current layer",
+            "Points of all visible layers"};
+}
+
+TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocument &document)
+{
+    const bool withDensity = parameters.getBool("DensityFromQuality");
+    switch (static_cast<Source>(parameters.getEnum("Source"))) {
+    case Source::pointsOfLayer: return pointsOfLayer(currentLayer(document), withDensity);
+    case Source::surfaceOfLayer: return surfaceOfLayer(currentLayer(document), withDensity);
+    case Source::pointsOfVisibleLayers: return pointsOfVisibleLayers(document, withDensity);
+    }
+    throw InvalidInput("Source must be one of 0 to " + std::to_string(sourceLabels().size() - 1) +
+                       ".");
+}
+
+TargetSpace makeImplicitSurface(const RichParameterList &parameters)
+{
+    const vcg::Box3d box(
+        {parameters.getFloat("minX"), parameters.getFloat("minY"), parameters.getFloat("minZ")},
+        {parameters.getFloat("maxX"), parameters.getFloat("maxY"), parameters.getFloat("maxZ")});
+    return {
+        std::make_unique<neuralmesh::ImplicitSampler>(expression(parameters, "expr", "xyz"), box),
+        "implicit surface",
+        {}};
+}
+
+TargetSpace makeParametricSurface(const RichParameterList &parameters)
+{
+    using Sampler = neuralmesh::ParametricSampler;
+    const Sampler::Range u{parameters.getFloat("minU"), parameters.getFloat("maxU")};
+    const Sampler::Range v{parameters.getFloat("minV"), parameters.getFloat("maxV")};
+    return {std::make_unique<Sampler>(
+                std::array<neuralmesh::Expression, 3>{expression(parameters, "x", "uv"),
+                                                      expression(parameters, "y", "uv"),
+                                                      expression(parameters, "z", "uv")},
+                u, v),
+            "parametric surface",
+            {}};
+}

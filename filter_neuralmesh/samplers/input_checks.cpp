@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samplers/input_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/errors.h"
+#include "core/point_statistics.h"
+
+namespace neuralmesh {
+namespace {
+
+/// Extent, as a share of the diagonal, below which points count as lying on a plane or a line:
+/// above the rounding of single-precision input, below any real relief.
+constexpr double flatExtent = 1e-6;
+
+bool isFinite(const vcg::Point3d &p)
+{
+    return std::isfinite(p.X()) && std::isfinite(p.Y()) && std::isfinite(p.Z());
+}
+
+/// Widths of the points along their principal axes, ascending, in units of the diagonal.
+Eigen::Vector3d principalWidths(const std::vector<Point3> &points)
+{
+    const PrincipalAxes frame = principalAxes(points);
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+    Eigen::Vector3d high = -low;
+    for (const Point3 &p : points) {
+        const Eigen::Vector3d along = frame.axes.transpose() * (toEigen(p) - frame.mean);
+        low = low.cwiseMin(along);
+        high = high.cwiseMax(along);
+    }
+    return high - low;
+}
+
+} // namespace
+
+void requireFinite(const std::vector<vcg::Point3d> &world)
+{
+    std::size_t broken = 0;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < world.size(); ++i)
+        if (!isFinite(world[i]) && broken++ == 0)
+            first = i;
+    if (broken > 0)
+        throw InvalidInput(
+            std::to_string(broken) + " of " + std::to_string(world.size()) +
+            " points have coordinates that are NaN or infinite (the first is point " +
+            std::to_string(first) + "). Remove them and try again.");
+}
+
+UnitFrame frameOf(const vcg::Box3d &worldBounds)
+{
+    if (!std::isfinite(worldBounds.Diag()))
+        throw InvalidInput("The points' coordinates are too large: their bounding box's diagonal "
+                           "is not finite.");
+    if (!(worldBounds.Diag() > 0))
+        throw InvalidInput("All points lie in one place: there is no surface to reconstruct.");
+    return UnitFrame(worldBounds);
+}
+
+void requireSolid(const std::vector<Point3> &points)
+{
+    const Eigen::Vector3d widths = principalWidths(points);
+    if (widths[1] < flatExtent)
+        throw InvalidInput("All points lie on a line: there is no surface to reconstruct.");
+    if (widths[0] < flatExtent)
+        throw InvalidInput("All points lie on a plane: a closed surface, which this filter "
+                           "makes, cannot be fitted to them.");
+}
+
+std::vector<double> densityFrom(std::vector<double> qualities)
+{
+    std::size_t broken = 0;
+    std::size_t first = 0;
+    double largest = 0;
+    for (std::size_t i = 0; i < qualities.size(); ++i) {
+        if (!(qualities[i] >= 0 && std::isfinite(qualities[i])) && broken++ == 0)
+            first = i;
+        largest = std::max(largest, qualities[i]);
+    }
+    if (broken > 0)
+        throw InvalidInput("DensityFromQuality: the quality of " + std::to_string(broken) + " of " +
+                           std::to_string(qualities.size()) +
+                           " vertices is negative, NaN or infinite (the first is vertex " +
+                           std::to_string(first) + ").");
+    if (!(largest > 0))
+        throw InvalidInput("DensityFromQuality: the quality of all vertices is 0, so none would be "
+                           "sampled.");
+    for (double &quality : qualities)
+        quality /= largest;
+    return qualities;
+}
+
+} // namespace neuralmesh

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every target space is asked before a surface is sought in it.
+#pragma once
+
+#include <vector>
+
+#include "core/neural_mesh.h"
+#include "core/unit_frame.h"
+
+namespace neuralmesh {
+
+/// Throws InvalidInput where a coordinate is NaN or infinite, with how many and the first.
+void requireFinite(const std::vector<vcg::Point3d> &world);
+
+/// The unit frame of a target space's bounds, in world coordinates. Throws InvalidInput where its
+/// diagonal is zero or not finite.
+UnitFrame frameOf(const vcg::Box3d &worldBounds);
+
+/// Throws InvalidInput where the points, given in the unit frame, all lie on a line or a plane.
+void requireSolid(const std::vector<Point3> &points);
+
+/// One probability density for each point, as shares of the largest. Throws InvalidInput, speaking
+/// of vertex quality, where one is negative, NaN or infinite, and where all are 0.
+std::vector<double> densityFrom(std::vector<double> qualities);
+
+} // namespace neuralmesh
