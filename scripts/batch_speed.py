@@ -28,9 +28,10 @@ class Throughput:
     def text(self) -> str:
         """Return the medians, and the median of the ratios, pair by pair, as a line to read."""
         ratios = [a / b for a, b in zip(self.one, self.two, strict=True)]
+        one, two = statistics.median(self.one), statistics.median(self.two)
         return (
-            f"{self.clouds} clouds, {VERTICES} vertices each: one worker "
-            f"{statistics.median(self.one):.1f} s, two workers {statistics.median(self.two):.1f} s; "
+            f"{self.clouds} clouds, {VERTICES} vertices each: "
+            f"one worker {one:.1f} s, two workers {two:.1f} s; "
             f"throughput × {statistics.median(ratios):.2f} (median of {len(ratios)}, "
             f"{min(ratios):.2f} to {max(ratios):.2f})"
         )

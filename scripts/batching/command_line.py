@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import argparse
-import importlib.metadata
 import os
 import sys
 from pathlib import Path
 
 from isolation import IsolatedProcess
+from machine import version_of
 from rich.console import Console
 
 from batching import preflight
@@ -95,7 +95,7 @@ def recipe_of(options: argparse.Namespace) -> Recipe:
                 pairs.append(f"targetvertnum={options.vertices}")
             defaults = preflight.filter_defaults(process, plugins, FILTER)
             parameters = parse_settings(pairs, defaults)
-    versions = {"pymeshlab": importlib.metadata.version("pymeshlab")}
+    versions = {"pymeshlab": version_of("pymeshlab")}
     versions |= {Path(plugin).name: sha256_of(Path(plugin)) for plugin in plugins}
     return Recipe(plugins, FILTER, parameters, script, suffix, options.threads, versions)
 

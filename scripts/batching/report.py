@@ -6,11 +6,10 @@ from __future__ import annotations
 import csv
 import io
 import json
-import platform
 from collections.abc import Sequence
 from typing import Any
 
-import psutil
+from machine import machine
 
 from batching.folder import OutFolder, Record, write_in_one_step
 from batching.inputs import Item
@@ -90,14 +89,3 @@ def _csv(records: Sequence[Record]) -> str:
 
 def _pairs(values: dict[str, Any] | None) -> str:
     return " ".join(f"{name}={value}" for name, value in (values or {}).items())
-
-
-def machine() -> dict[str, Any]:
-    """The machine that the batch was started on."""
-    return {
-        "system": platform.platform(),
-        "processor": platform.machine(),
-        "cores": psutil.cpu_count(),
-        "memory_gigabytes": round(psutil.virtual_memory().total / 2**30, 1),
-        "python": platform.python_version(),
-    }
