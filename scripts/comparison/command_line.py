@@ -45,7 +45,7 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     text = "a method may use (default 1: Poisson's threads stall where others use the cores)"
     parser.add_argument("--threads", type=int, default=1, metavar="N", help=text)
     parser.add_argument("--plugin", type=Path, default=DEFAULT_PLUGIN, help="the built plugin")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     options.methods = options.methods.split(",")
     for name in options.methods:
         if name not in METHODS:
@@ -102,8 +102,9 @@ def about_the_run(options: argparse.Namespace) -> dict[str, Any]:
             f"Errors are measured against {against}: from up to {REFERENCE_SAMPLES:,} points of it "
             f"to the result, exactly, and back from {MESH_SAMPLES:,} points drawn on the result, "
             f"uniformly by area. {distance} The F-score counts points within "
-            f"{options.threshold:g} % of the cloud's diagonal. Colours of all views of a cloud "
-            "share one scale; what is beyond its end is as red as the end."
+            f"{options.threshold:g} % of the cloud's diagonal. Colours show the "
+            "RMS distance of each face, on one scale for all views of a cloud; what is beyond its "
+            "end is as red as the end."
         ),
         "facts": {
             "date": time.strftime("%Y-%m-%d %H:%M"),

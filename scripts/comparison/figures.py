@@ -32,7 +32,7 @@ METHOD_COLOURS = {
     "vcg": "#8d6a9f",
     "alpha-shape": "#7a7a7a",
 }
-# The scale ends where 98 % of the vertices of the middle one of the results lie below: one result
+# The scale ends where 98 % of the faces of the middle one of the results lie below: one result
 # that is far off would turn all others blue.
 SCALE_PERCENTILE = 98
 SMALLEST_VALENCE = 3
@@ -43,7 +43,7 @@ CAMERA = {"up": {"x": 0, "y": 1, "z": 0}, "eye": {"x": 0.35, "y": 0.3, "z": 1.75
 
 def error_scale(results: list[Result]) -> float:
     """The error at the red end, in units of the input, common to all views of a cloud."""
-    ends = [np.percentile(r.vertex_error, SCALE_PERCENTILE) for r in results if r.mesh is not None]
+    ends = [np.percentile(r.face_error, SCALE_PERCENTILE) for r in results if r.mesh is not None]
     return float(np.median(ends)) or 1.0
 
 
@@ -96,7 +96,8 @@ def views(comparison: Comparison, against: str) -> go.Figure:
 
 def _title(result: Result) -> str:
     values = result.values
-    edge = "closed" if is_closed(result) else f"{values['boundary_edges']:,} boundary edges"
+    open_edges = f"{values['boundary_edges']:,} boundary edges"
+    edge = "closed" if is_closed(result) else open_edges
     return f"<b>{result.label}</b><br><sub>RMS {values['rms']:.2g}, {edge}</sub>"
 
 
@@ -121,10 +122,11 @@ def _mesh(result: Result) -> go.Mesh3d:
         i=i,
         j=j,
         k=k,
-        intensity=result.vertex_error,
+        intensity=result.face_error,
+        intensitymode="cell",
         coloraxis="coloraxis",
         name=result.label,
-        lighting={"ambient": 0.55, "diffuse": 0.7, "specular": 0.08, "roughness": 0.7},
+        lighting={"ambient": 0.55, "diffuse": 0.7, "specular": 0.05, "fresnel": 0.02},
         lightposition={"x": 2000, "y": 3000, "z": 5000},
         hovertemplate="error %{intensity:.3g}<extra>%{fullData.name}</extra>",
     )

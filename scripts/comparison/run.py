@@ -44,7 +44,7 @@ class Result:
     """One method on one cloud. failure is a sentence, empty if it gave a mesh.
 
     values: metrics, seconds and peak_megabytes by name. curve: (vertices, RMS error), for the
-    chart. vertex_error (v,): for the colours.
+    chart. face_error (m,): for the colours.
     """
 
     method: str
@@ -52,7 +52,7 @@ class Result:
     values: dict[str, Any] = field(default_factory=dict)
     curve: list[tuple[int, float]] = field(default_factory=list)
     mesh: Mesh | None = None
-    vertex_error: NDArray[np.float32] | None = None
+    face_error: NDArray[np.float32] | None = None
     valence_shares: list[float] = field(default_factory=list)
 
     @property
@@ -141,7 +141,7 @@ def _result(
         values=values,
         curve=sorted(curve),
         mesh=full,
-        vertex_error=measured.vertex_error,
+        face_error=measured.face_error,
         valence_shares=measured.valence_shares,
     )
 

@@ -7,20 +7,21 @@ from dataclasses import dataclass
 
 from comparison.run import Comparison, Result
 
-# Per cent of faces that may cross another one: a fold or two in a mesh of 5,000 vertices.
-CROSSING_FACES = 0.1
+# Per cent of faces that may cross another one, and of edges that may have more than two faces.
+FLAWS = 0.5
 # Per cent of a result's area that may lie further than three spacings from all points.
 AWAY_FROM_POINTS = 2.0
 # Errors this close to each other count as the same.
 SAME_ERROR = 1.1
 
-RULE = f"""A result is sound if no edge has more than two faces and at most {CROSSING_FACES:g} % of
-its faces cross another. It lies on the data if at most {AWAY_FROM_POINTS:g} % of its area is
-further than three point spacings from every point. If some sound, closed result lies on the data,
-the cloud is taken for that of a closed surface and only such results stand for choice; otherwise
-the scan is taken for open, and all sound results that lie on the data do. Of these, the one with
-the least RMS error (both ways taken together) is recommended; where others are within
-{100 * (SAME_ERROR - 1):.0f} % of it, the fastest of them."""
+RULE = f"""A result is closed if every edge has two faces. It is sound if at most {FLAWS:g} % of its
+faces cross another and at most {FLAWS:g} % of its edges have more than two faces. It lies on the
+data if at most {AWAY_FROM_POINTS:g} % of its area is further than three point spacings from every
+point. If some sound, closed result lies on the data, the cloud is taken for that of a closed
+surface and only such results stand for choice; otherwise the scan is taken for open, and all sound
+results that lie on the data do. Of these, the one with the least RMS error (both ways taken
+together) is recommended; where others are within {100 * (SAME_ERROR - 1):.0f} % of it, the fastest
+of them."""
 
 
 @dataclass(frozen=True)
@@ -33,15 +34,18 @@ class Verdict:
 
 
 def is_sound(result: Result) -> bool:
-    """Whether a mesh is free of what breaks the programs that use it."""
+    """Whether a mesh is nearly free of what breaks the programs that use it."""
     values = result.values
-    crossing = 100 * values["self_intersecting"] / values["faces"]
-    return values["non_manifold_edges"] == 0 and crossing <= CROSSING_FACES
+    edges = 1.5 * values["faces"]  # of a closed mesh; an open one has a few more
+    return bool(
+        values["self_intersecting"] <= FLAWS / 100 * values["faces"]
+        and values["non_manifold_edges"] <= FLAWS / 100 * edges
+    )
 
 
 def is_closed(result: Result) -> bool:
-    """Whether a mesh has no boundary."""
-    return bool(result.values["boundary_edges"] == 0)
+    """Whether every edge of a mesh has two faces."""
+    return bool(result.values["boundary_edges"] == result.values["non_manifold_edges"] == 0)
 
 
 def lies_on_data(result: Result) -> bool:
@@ -60,15 +64,15 @@ def judge(comparison: Comparison) -> Verdict:
     closed = [result for result in on_data if is_closed(result)]
     candidates = closed or on_data or [r for r in meshes if is_sound(r)] or meshes
     best = _best(candidates)
-    kind = "closed" if closed else "open" if on_data else "unsure"
-    opening = {
-        "closed": f"Use {best.name}: of the closed, sound meshes",
-        "open": f"The scan is open, so use {best.name}: of the sound meshes that stay on the data",
-        "unsure": f"No mesh is both sound and on the data. Try {best.name}: of the rest",
-    }[kind]
-    alone = len(candidates) == 1
-    rank = "it is the only one" if alone else _rank(best, candidates)
-    sentence = f"{opening}, {rank} ({_figures(best, comparison)})."
+    kind = "closed, sound meshes" if closed else "sound meshes that stay on the data"
+    if closed:
+        opening = f"Use {best.name}"
+    elif on_data:
+        opening = f"The scan is open: use {best.name}"
+    else:
+        opening, kind = f"No mesh is both sound and on the data. Try {best.name}", "others"
+    rank = _rank(best, candidates, kind)
+    sentence = f"{opening}, {_figures(best, comparison)}: {rank}."
     return Verdict(best.method, sentence, _more(best, candidates, meshes, comparison))
 
 
@@ -78,23 +82,24 @@ def _best(candidates: list[Result]) -> Result:
     return min(near, key=lambda result: float(result.values["seconds"]))
 
 
-def _rank(best: Result, candidates: list[Result]) -> str:
-    least = min(candidates, key=lambda result: float(result.values["rms"]))
-    if least is not best:
-        times = least.values["seconds"] / best.values["seconds"]
-        return f"it is as accurate as {least.name} and {times:.1f} times as fast"
+def _rank(best: Result, candidates: list[Result], kind: str) -> str:
+    """Why it is the best of the candidates, which are of this kind."""
     others = [result for result in candidates if result is not best]
-    second = min(others, key=lambda result: float(result.values["rms"]))
-    times = second.values["rms"] / best.values["rms"]
-    if times <= SAME_ERROR:
-        return f"it is as accurate as {second.name} and faster"
-    return f"it has the least error; that of {second.name} is {times:.1f} times as large"
+    if not others:
+        return f"there are no other {kind}"
+    next_best = min(others, key=lambda result: float(result.values["rms"]))
+    times = next_best.values["rms"] / best.values["rms"]
+    if times > SAME_ERROR:
+        return f"the least error of the {kind}; {next_best.name} has {times:.2g} times as much"
+    speed = next_best.values["seconds"] / best.values["seconds"]
+    return f"as accurate as {next_best.name} and {speed:.2g} times as fast"
 
 
 def _figures(result: Result, comparison: Comparison) -> str:
     assert comparison.cloud is not None  # a comparison without failure has one
     percent = 100 * result.values["rms"] / comparison.cloud.diagonal
-    return f"{percent:.2g} % of the diagonal RMS, {result.values['seconds']:.1f} s"
+    seconds = result.values["seconds"]
+    return f"RMS error {percent:.2g} % of the diagonal, {seconds:.1f} s"
 
 
 def _more(
