@@ -132,10 +132,15 @@ def parameter_types(script: Path) -> dict[tuple[str, str], str]:
     }
 
 
-@pytest.mark.parametrize("name", ["neural_mesh.mlx", "clean_reconstruct_colour.mlx"])
-def test_scripts_name_types_as_meshlab_saves_them(name: str, sample_meshes: Path, tmp_path: Path):
+@pytest.mark.parametrize(
+    ("name", "source"),
+    [("neural_mesh.mlx", "bunny.obj"), ("clean_reconstruct_colour.mlx", "chameleon.pts")],
+)
+def test_scripts_name_types_as_meshlab_saves_them(
+    name: str, source: str, sample_meshes: Path, tmp_path: Path
+):
     # The desktop goes by these types; PyMeshLab saves scripts with the same code.
-    document = apply_script(name, sample_meshes / "chameleon.pts")
+    document = apply_script(name, sample_meshes / source)
     document.save_filter_script(str(tmp_path / "saved.mlx"))
     saved, ours = parameter_types(tmp_path / "saved.mlx"), parameter_types(EXAMPLES / name)
     assert ours

@@ -16,7 +16,7 @@ from batching import preflight
 from batching.folder import Locked
 from batching.inputs import InputError, find_items
 from batching.recipe import Recipe, RecipeError, parse_settings, sha256_of
-from batching.run import Settings, run_batch
+from batching.run import INTERRUPTED, Settings, run_batch
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 DEFAULT_PLUGIN = ROOT / "build" / "pymeshlab" / "libfilter_neuralmesh.so"
@@ -116,6 +116,9 @@ def main(description: str | None) -> int:
     try:
         items = find_items(options.inputs, options.list, options.out)
         return run_batch(items, recipe_of(options), settings, Console())
+    except KeyboardInterrupt:
+        print("stopped before anything was run", file=sys.stderr)
+        return INTERRUPTED
     except (InputError, RecipeError, Locked) as problem:
         print(problem, file=sys.stderr)
     except OSError as problem:

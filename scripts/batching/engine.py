@@ -13,7 +13,7 @@ from pathlib import Path
 
 import cloudpickle
 import dask
-from distributed import Client, LocalCluster, Worker, WorkerPlugin, as_completed
+from distributed import Client, Future, LocalCluster, Worker, WorkerPlugin, as_completed
 from isolation import Outcome
 
 from batching.folder import OutFolder, Record
@@ -45,10 +45,11 @@ def run_jobs(jobs: list[Job], *, workers: int, scheduler: str) -> Iterator[Recor
             client.cancel(futures)
 
 
-def _failed(job: Job, future: dask.distributed.Future) -> Record:
-    """Record a job that Dask gave up on: its workers were lost, or the folder is not writable."""
-    words = " ".join(str(future.exception()).split())
-    record = record_of(job, Outcome("crashed", None, f"Dask gave it up: {words}", 0.0, 0))
+def _failed(job: Job, future: Future) -> Record:
+    """Record a job that Dask gave up on: its workers were lost, or the scheduler was."""
+    reason = future.exception() if future.status == "error" else "the scheduler was lost"
+    words = f"Dask gave it up: {' '.join(str(reason).split())}"
+    record = record_of(job, Outcome("crashed", None, words, 0.0, 0))
     OutFolder(job.out).write_record(job.item.name, record)
     return record
 
