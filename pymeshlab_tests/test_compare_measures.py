@@ -127,6 +127,13 @@ def test_of_errors_within_a_tenth_the_fastest_is_recommended():
     assert "as accurate as screened Poisson and 5 times as fast" in words
 
 
+def test_no_error_at_all_is_no_trouble():
+    method, words = verdict_on(result("poisson", 0.0, 5), result("neural-mesh", 0.02, 1))
+    assert method == "poisson"
+    assert "without error, alone of the closed, sound meshes" in words
+    assert verdict_on(result("poisson", 0.0, 5), result("vcg", 0.0, 1))[0] == "vcg"
+
+
 @pytest.mark.parametrize(
     "flaw", [{"boundary_edges": 3}, {"non_manifold_edges": 1}, {"self_intersecting": 6}]
 )

@@ -35,11 +35,7 @@ ONLY_IF_ASKED = ("ours-no-fit", "poisson-cleaned")
 DEFAULT_PLUGIN = ROOT / "build" / "pymeshlab" / "libfilter_neuralmesh.so"
 
 
-def parse_arguments() -> argparse.Namespace:
-    """Read the command line; exits with 2 on unknown models, conditions or methods."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+def _add_what_to_measure(parser: argparse.ArgumentParser) -> None:
     what = parser.add_argument_group("what to measure")
     what.add_argument("--quality", action="store_true", help="errors, topology and shape")
     what.add_argument(
@@ -55,6 +51,13 @@ def parse_arguments() -> argparse.Namespace:
         help="throughput of batches of so many small clouds (default 200)",
     )
 
+
+def parse_arguments() -> argparse.Namespace:
+    """Read the command line; exits with 2 on unknown models, conditions or methods."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    _add_what_to_measure(parser)
     quality = parser.add_argument_group("quality")
     quality.add_argument(
         "--models",

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import hashlib
 import sys
 import time
 from pathlib import Path
@@ -110,12 +111,21 @@ def about_the_run(options: argparse.Namespace) -> dict[str, Any]:
             "date": time.strftime("%Y-%m-%d %H:%M"),
             "machine": f"{here['processor']}, {here['cores']} cores, "
             f"{here['memory_gigabytes']} GB, {here['system']}",
-            "versions": f"PyMeshLab {version_of('pymeshlab')}, Python {here['python']}",
+            "versions": f"PyMeshLab {version_of('pymeshlab')}, Python {here['python']}, "
+            f"plugin {_short_hash(options.plugin)}",
             "threads": f"{options.threads} a method",
             "time-out": f"{options.timeout:g} s a method and cloud",
             "command": "scripts/compare.py " + " ".join(sys.argv[1:]),
         },
     }
+
+
+def _short_hash(plugin: Path) -> str:
+    """The beginning of the plugin's SHA-256, or that it is not there."""
+    if not plugin.is_file():
+        return "not there"
+    with plugin.open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()[:12]
 
 
 def main(description: str | None) -> int:

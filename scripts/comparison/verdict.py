@@ -70,7 +70,7 @@ def judge(comparison: Comparison) -> Verdict:
     elif on_data:
         opening = f"The scan is open: use {best.name}"
     else:
-        opening, kind = f"No mesh is both sound and on the data. Try {best.name}", "others"
+        opening, kind = f"No mesh is both sound and on the data. Try {best.name}", "meshes"
     rank = _rank(best, candidates, kind)
     sentence = f"{opening}, {_figures(best, comparison)}: {rank}."
     return Verdict(best.method, sentence, _more(best, candidates, meshes, comparison))
@@ -88,7 +88,9 @@ def _rank(best: Result, candidates: list[Result], kind: str) -> str:
     if not others:
         return f"there are no other {kind}"
     next_best = min(others, key=lambda result: float(result.values["rms"]))
-    times = next_best.values["rms"] / best.values["rms"]
+    if best.values["rms"] == 0 < next_best.values["rms"]:
+        return f"without error, alone of the {kind}"
+    times = next_best.values["rms"] / best.values["rms"] if best.values["rms"] else 1.0
     if times > SAME_ERROR:
         return f"the least error of the {kind}; {next_best.name} has {times:.2g} times as much"
     speed = next_best.values["seconds"] / best.values["seconds"]
