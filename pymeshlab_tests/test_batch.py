@@ -75,26 +75,31 @@ def test_broken_and_endless_scans_cost_themselves_only(
     assert {row["vertices"] for row in rows if not row["error"]} == {"150"}
 
 
-def test_a_killed_batch_goes_on_where_it_was(tmp_path: Path, cloud_count: int):
+def test_a_killed_batch_goes_on_where_it_was(
+    tmp_path: Path, normals_then_mesh: Path, cloud_count: int
+):
     clouds, out = tmp_path / "clouds", tmp_path / "out"
-    write_clouds(clouds, cloud_count)
-    arguments = (clouds, "--out", out, "--vertices", 300, "--workers", 2)
-    killed = start_batch(*arguments)
+    good = {path.stem for path in write_clouds(clouds, cloud_count - 6)}
+    broken = write_broken(clouds)
+    arguments = (clouds, "--out", out, "--mlx", normals_then_mesh, "--timeout", TIME_OUT)
+    killed = start_batch(*arguments, "--workers", 2)
     wait_for(lambda: len(record_files(out)) >= cloud_count // 2, "half of the items")
     helpers = psutil.Process(killed.pid).children(recursive=True)
     killed.kill()
     killed.communicate()
     psutil.wait_procs(helpers, timeout=60)  # what was in flight may still finish
     done_before = record_files(out)
-    assert len(done_before) < cloud_count  # else the kill came too late to show anything
+    assert set(done_before) < good  # else the kill came too late to show anything
     assert not (out / "report.json").exists()
     times = {name: (out / f"{name}.ply").stat().st_mtime_ns for name in done_before}
 
     run = run_batch(*arguments)
-    assert run.returncode == 0, run.stdout + run.stderr
+    assert run.returncode == 1, run.stdout + run.stderr
     assert f"{len(done_before)} of them done before" in run.stdout
+    assert errors(out) == broken
+    assert {path.stem for path in out.glob("*.ply")} == good
     after = record_files(out)
-    assert len(after) == len(report(out)["records"]) == len(list(out.glob("*.ply"))) == cloud_count
+    assert set(after) == good | set(broken)
     assert {name: after[name] for name in done_before} == done_before
     assert {name: (out / f"{name}.ply").stat().st_mtime_ns for name in done_before} == times
 
