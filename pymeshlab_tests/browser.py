@@ -41,7 +41,7 @@ def chromium(profile: Path) -> Iterator[webdriver.Chrome]:
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     # The driver's own talk with the browser is on the loopback.
-    os.environ["no_proxy"] = "localhost,127.0.0.1"
+    os.environ["no_proxy"] = ",".join(["localhost,127.0.0.1", os.environ.get("no_proxy", "")])
     driver = webdriver.Chrome(options, Service(DRIVER))
     try:
         yield driver

@@ -7,7 +7,7 @@ import logging
 import signal
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -25,7 +25,7 @@ LOST_WORKERS_ALLOWED = 3
 CONNECT_SECONDS = 10
 
 
-def run_jobs(jobs: list[Job], *, workers: int, scheduler: str) -> Iterator[Record]:
+def run_jobs(jobs: list[Job], *, workers: int, scheduler: str) -> Generator[Record, None, None]:
     """Yield the record of each job as it finishes.
 
     workers: processes on this machine, one item each at a time; not used if scheduler, the address

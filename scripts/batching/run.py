@@ -8,12 +8,13 @@ import time
 import uuid
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.text import Text
 
 from batching import report
 from batching.engine import run_jobs
@@ -97,12 +98,14 @@ def _do(jobs: list[Job], settings: Settings, console: Console) -> None:
     with Progress(*columns, console=console) as progress:
         bar = progress.add_task("reconstructing", total=len(jobs), failed="")
         failed = 0
-        for record in run_jobs(jobs, workers=settings.workers, scheduler=settings.scheduler):
-            if record["error"]:
-                failed += 1
-                line = f"{record['name']}: {record['error']}"
-                progress.console.print(line, style="red", markup=False, highlight=False)
-            progress.update(bar, advance=1, failed=f"{failed} failed" if failed else "")
+        running = run_jobs(jobs, workers=settings.workers, scheduler=settings.scheduler)
+        with closing(running) as records:  # on Ctrl-C too, before the report is written
+            for record in records:
+                if record["error"]:
+                    failed += 1
+                    line = Text(f"{record['name']}: {record['error']}", style="red")
+                    progress.console.print(line, soft_wrap=True)
+                progress.update(bar, advance=1, failed=f"{failed} failed" if failed else "")
 
 
 def _final_record(folder: OutFolder, job: Job) -> Record:
