@@ -15,6 +15,17 @@ PLUGIN = ROOT / "build" / "pymeshlab" / "libfilter_neuralmesh.so"
 SAMPLE_MESHES = Path(pymeshlab.__file__).resolve().parent / "tests" / "sample_meshes"
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """--clouds 200 runs the tests of batches at their full size, which takes minutes."""
+    parser.addoption("--clouds", type=int, default=24, help="in a batch (default 24)")
+
+
+@pytest.fixture
+def cloud_count(request: pytest.FixtureRequest) -> int:
+    """How many clouds a test of batches makes."""
+    return int(request.config.getoption("--clouds"))
+
+
 @pytest.fixture(scope="session")
 def plugin() -> Path:
     """Load the plugin, once a process; a missing build fails the tests, it does not skip them."""

@@ -16,6 +16,9 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 SNIPPETS = re.findall(r"^```python\n(.*?)^```$", README, flags=re.MULTILINE | re.DOTALL)
 
 
+BATCHES = re.findall(r"^(\S+ scripts/batch\.py (?:(?!--scheduler).)*)$", README, flags=re.MULTILINE)
+
+
 def section(title: str) -> str:
     """Return the text between a heading and the next one."""
     found = re.search(rf"^#+ {re.escape(title)}\n(.*?)(?=^#|\Z)", README, re.MULTILINE | re.DOTALL)
@@ -63,6 +66,26 @@ def defaults_of(filter_name: str) -> dict[str, str]:
         name: f"{value:.6g}" if isinstance(value, float) else str(value)
         for name, value in actual.items()
     }
+
+
+@pytest.mark.parametrize("command", BATCHES)
+def test_batch_runs_as_printed(command: str, plugin: Path, tmp_path: Path) -> None:
+    for name in (".venv", "build", "scripts"):
+        (tmp_path / name).symlink_to(ROOT / name, target_is_directory=True)
+    run = subprocess.run(
+        ["bash", "-c", command],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=200,
+        check=False,
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert len(list((tmp_path / "out" / "batch").glob("*.ply"))) == 4
+
+
+def test_there_is_a_batch() -> None:
+    assert len(BATCHES) == 1
 
 
 def test_parameter_table_lists_all_parameters_with_their_defaults(plugin: Path) -> None:

@@ -5,6 +5,7 @@
     benchmark.py --quality --models bunny,dino --conditions clean --methods ours
                                                   ours alone; peers' rows come from the cache
     benchmark.py --speed                          time, as a ratio, in one process
+    benchmark.py --batch                          throughput of scripts/batch.py, two workers to one
     benchmark.py --quality --summary              what was asked, what was measured
     benchmark.py --quality --models bunny --ours splitrule=1 --ours smoothingpasses=3
                                                   more rows of ours, with other parameters
@@ -22,6 +23,7 @@ from pathlib import Path
 
 import datasets
 import pymeshlab
+from batch_speed import compare_workers
 from quality import bars, models, report
 from quality.inputs import CONDITIONS
 from quality.methods import METHODS
@@ -33,18 +35,29 @@ ONLY_IF_ASKED = ("ours-no-fit", "poisson-cleaned")
 DEFAULT_PLUGIN = ROOT / "build" / "pymeshlab" / "libfilter_neuralmesh.so"
 
 
-def parse_arguments() -> argparse.Namespace:
-    """Read the command line; exits with 2 on unknown models, conditions or methods."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+def _add_what_to_measure(parser: argparse.ArgumentParser) -> None:
     what = parser.add_argument_group("what to measure")
     what.add_argument("--quality", action="store_true", help="errors, topology and shape")
     what.add_argument(
         "--speed", action="store_true", help="time against Poisson and decimation, on the bunny"
     )
     what.add_argument("--runs", type=int, default=5, help="of each method for --speed (default 5)")
+    what.add_argument(
+        "--batch",
+        type=int,
+        nargs="?",
+        const=200,
+        metavar="CLOUDS",
+        help="throughput of batches of so many small clouds (default 200)",
+    )
 
+
+def parse_arguments() -> argparse.Namespace:
+    """Read the command line; exits with 2 on unknown models, conditions or methods."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    _add_what_to_measure(parser)
     quality = parser.add_argument_group("quality")
     quality.add_argument(
         "--models",
@@ -77,8 +90,8 @@ def parse_arguments() -> argparse.Namespace:
     quality.add_argument("--json", type=Path, metavar="FILE", help="write all rows")
     quality.add_argument("--summary", action="store_true", help="asked and measured, a line each")
     options = parser.parse_args()
-    if not options.quality and not options.speed:
-        parser.error("nothing to measure: give --quality or --speed")
+    if not (options.quality or options.speed or options.batch):
+        parser.error("nothing to measure: give --quality, --speed or --batch")
     options.models = _names(parser, "model", options.models, list(models.MODELS))
     options.conditions = _names(parser, "condition", options.conditions, list(CONDITIONS))
     options.methods = _names(parser, "method", options.methods, list(METHODS))
@@ -175,6 +188,8 @@ def main() -> int:
     if options.speed:
         pymeshlab.load_plugin(str(options.plugin))
         print(compare_speed(options.vertices or 5000, options.runs).text(), flush=True)
+    if options.batch:
+        print(compare_workers(options.batch, options.runs).text(), flush=True)
     return run_quality(options) if options.quality else 0
 
 

@@ -79,12 +79,7 @@ def reconstruct(
     if method in ("poisson-estimated", "poisson-cleaned"):
         estimate_normals(mesh_set)
     if method == "ball-pivoting":
-        mesh_set.generate_surface_reconstruction_ball_pivoting()
-        # Decimation tears the many small holes open: without this, the error on the clean bone is
-        # 40 times as large.
-        mesh_set.meshing_repair_non_manifold_edges()
-        mesh_set.meshing_repair_non_manifold_vertices(vertdispratio=0)
-        mesh_set.meshing_close_holes(maxholesize=HOLE_EDGES)
+        pivot_balls(mesh_set)
     else:
         mesh_set.generate_surface_reconstruction_screened_poisson(
             depth=POISSON_DEPTH, threads=threads
@@ -96,7 +91,19 @@ def reconstruct(
     mesh_set.meshing_decimation_quadric_edge_collapse(targetfacenum=2 * vertices - 4)
     mesh_set.meshing_remove_unreferenced_vertices()
     seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu_start
-    return Result(*_bring_to_count(mesh_set, dense, vertices), seconds, cpu_seconds)
+    return Result(*bring_to_count(mesh_set, dense, vertices), seconds, cpu_seconds)
+
+
+def pivot_balls(mesh_set: pymeshlab.MeshSet) -> None:
+    """Reconstruct the current layer by ball pivoting and repair the result for decimation.
+
+    Decimation tears the many small holes open: without the repair, the error on the clean bone is
+    40 times as large.
+    """
+    mesh_set.generate_surface_reconstruction_ball_pivoting()
+    mesh_set.meshing_repair_non_manifold_edges()
+    mesh_set.meshing_repair_non_manifold_vertices(vertdispratio=0)
+    mesh_set.meshing_close_holes(maxholesize=HOLE_EDGES)
 
 
 def _ours(
@@ -141,7 +148,7 @@ def keep_largest_component(mesh_set: pymeshlab.MeshSet) -> None:
     mesh_set.add_mesh(pymeshlab.Mesh(vertex_matrix=points, face_matrix=faces))
 
 
-def _bring_to_count(
+def bring_to_count(
     mesh_set: pymeshlab.MeshSet, dense: tuple[Points, Faces], vertices: int
 ) -> tuple[Points, Faces]:
     """Correct the face target until the vertex count is as near to the target as it gets.

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""scripts/batch.py: what cannot work is said before anything runs, and nothing is written."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from batches import run_batch
+from batching.inputs import InputError, Item, find_items
+from batching.recipe import Recipe, RecipeError, parse_settings
+from small_clouds import write_clouds
+
+pytestmark = pytest.mark.usefixtures("plugin")
+
+SCRIPT = """<!DOCTYPE FilterScript>
+<FilterScript>
+ <filter name="Remove Duplicate Vertices"/>
+ <filter name="Neural Mesh Reconstruction">
+  <Param name="TargetVertNum" type="RichInt" value="150"/>
+  <Param name="Sharpness" type="RichFloat" value="1"/>
+ </filter>
+ <filter name="Polish It"/>
+</FilterScript>
+"""
+
+
+@pytest.fixture
+def clouds(tmp_path: Path) -> Path:
+    folder = tmp_path / "clouds"
+    write_clouds(folder, 2, points=100)
+    return folder
+
+
+def test_unknown_filters_and_parameters_of_a_script_are_named(clouds: Path, tmp_path: Path):
+    script, out = tmp_path / "script.mlx", tmp_path / "out"
+    script.write_text(SCRIPT, encoding="utf-8")
+    run = run_batch(clouds, "--out", out, "--mlx", script)
+    assert run.returncode == 2
+    assert run.stderr.splitlines() == [
+        f'{script}: the filter "Neural Mesh Reconstruction" has no parameter Sharpness.',
+        f'{script}: PyMeshLab has no filter "Polish It". Is its plugin missing (--plugin)?',
+    ]
+    assert not out.exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        (["--set", "sharpness=1"], "The filter has no parameter sharpness. It has: "),
+        (["--set", "surfacefit=perhaps"], "surfacefit is true or false (True by default), not "),
+        (["--vertices", "100", "--plugin", "none.so"], "none.so is not there: run scripts/build."),
+        (["--format", "docx"], "PyMeshLab does not write .docx: Unknown format for save: docx."),
+        (["--mlx", "none.mlx"], "none.mlx cannot be read as a filter script: "),
+        (["--mlx", "none.mlx", "--vertices", "5"], "--set and --vertices do not go with it"),
+        (["--workers", "0"], "--workers must be at least 1"),
+        (["none/*.ply"], "Nothing matches none/*.ply."),
+    ],
+)
+def test_what_cannot_work_is_said_at_once(
+    clouds: Path, tmp_path: Path, options: list[str], sentence: str
+):
+    run = run_batch(clouds, "--out", tmp_path / "out", *options)
+    assert run.returncode == 2
+    assert sentence in run.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_scheduler_that_does_not_answer_is_named(clouds: Path, tmp_path: Path):
+    address = "tcp://127.0.0.1:1"
+    run = run_batch(clouds, "--out", tmp_path / "out", "--scheduler", address)
+    assert run.returncode == 2
+    assert run.stderr.startswith(f"{address}: ")
+    assert "Traceback" not in run.stderr
+
+
+def names(items: list[Item]) -> list[str]:
+    return [item.name for item in items]
+
+
+def test_inputs_are_files_globs_folders_and_lists_each_file_once(tmp_path: Path):
+    write_clouds(tmp_path / "a" / "deep", 2, points=4)
+    (tmp_path / "a" / "notes.txt").touch()
+    cloud = str(tmp_path / "a" / "deep" / "cloud001.ply")
+    listed = tmp_path / "list.txt"
+    listed.write_text(f"# scans of May\n\n{cloud}\n{tmp_path / 'missing.xyz'}\n", encoding="utf-8")
+    out = tmp_path / "out"
+    assert names(find_items([str(tmp_path / "a")], [], out)) == ["deep/cloud000", "deep/cloud001"]
+    assert names(find_items([f"{tmp_path}/**/*0.ply"], [], out)) == ["cloud000"]
+    assert names(find_items([cloud, cloud], [listed], out)) == ["cloud001", "missing"]
+
+
+def test_two_inputs_of_one_name_are_refused_and_both_named(tmp_path: Path):
+    (first,) = write_clouds(tmp_path / "a", 1, points=4)
+    (second,) = write_clouds(tmp_path / "b", 1, points=4)
+    with pytest.raises(InputError, match="would both become cloud000") as caught:
+        find_items([str(first), str(second)], [], tmp_path / "out")
+    assert str(first) in str(caught.value)
+    assert str(second) in str(caught.value)
+
+
+def test_values_take_the_type_of_the_default():
+    defaults = {"count": 5, "rate": 0.5, "fit": True, "file": "", "colour": None}
+    pairs = ["Count=7", "rate=5%", "fit=False", "file=a=b"]
+    assert parse_settings(pairs, defaults) == {
+        "count": 7,
+        "rate": "5%",
+        "fit": False,
+        "file": "a=b",
+    }
+    for wrong in ("count=7.5", "rate=much", "rate=x%", "fit=2", "colour=red", "count"):
+        with pytest.raises(RecipeError):
+            parse_settings([wrong], defaults)
+
+
+def test_a_fingerprint_tells_apart_what_changes_the_output_and_only_that():
+    def recipe(**changes: object) -> Recipe:
+        kept = {"filter": "f", "parameters": {"a": 1, "b": 2}, "script": "", "suffix": ".ply"}
+        return Recipe(plugins=(), **{**kept, **changes})
+
+    same = [recipe(), recipe(parameters={"b": 2, "a": 1}), recipe(threads=2)]
+    others = [
+        recipe(parameters={"a": 1, "b": 3}),
+        recipe(filter="g"),
+        recipe(script="<FilterScript/>"),
+        recipe(suffix=".obj"),
+        recipe(versions={"pymeshlab": "2026.1"}),
+    ]
+    assert len({recipe.fingerprint("input") for recipe in same}) == 1
+    assert len({recipe.fingerprint("input") for recipe in [*same, *others]}) == 1 + len(others)
+    assert recipe().fingerprint("another input") != recipe().fingerprint("input")

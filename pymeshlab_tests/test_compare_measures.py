@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""scripts/compare.py: its measures on shapes of known answers, its rule on made-up figures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from comparison.clouds import Cloud, Reference, load_cloud, load_surface
+from comparison.measures import error_of, measure
+from comparison.methods import Mesh
+from comparison.run import Comparison, Result, default_vertices
+from comparison.verdict import judge
+from quality.shapes import unit_sphere
+from small_clouds import write_ply
+
+SPHERE = unit_sphere(40)
+
+
+def sphere_cloud() -> Cloud:
+    """The 6,402 vertices of SPHERE, with their true normals."""
+    points, _ = SPHERE
+    return Cloud("sphere", points, points, "its own", spacing=0.03)
+
+
+def test_a_larger_sphere_is_off_by_its_radius_against_a_surface_and_a_cloud():
+    points, faces = SPHERE
+    for surface in (SPHERE, None):
+        measured = measure(1.01 * points, faces, sphere_cloud(), surface, threshold=0.005)
+        values = measured.values
+        # Faces lie up to 1 - cos(half an edge's angle), 4e-4, inside their sphere.
+        for name in ("rms", "rms_to_mesh", "rms_to_reference", "chamfer"):
+            assert values[name] == pytest.approx(0.01, rel=0.05), name
+        for name in ("hausdorff_to_mesh", "hausdorff_to_reference"):
+            assert values[name] == pytest.approx(0.01, rel=0.1), name
+        assert measured.face_error == pytest.approx(np.full(len(faces), 0.01), rel=0.1)
+        assert values["f_score"] == 0
+        assert error_of(1.01 * points, faces, sphere_cloud(), surface) == values["rms"]
+        wide = measure(1.01 * points, faces, sphere_cloud(), surface, threshold=0.02)
+        assert wide.values["f_score"] == pytest.approx(100)
+        # Nearest normals of points a tenth of an edge apart differ by a degree or two.
+        assert 99.5 < values["normal_consistency"] <= 100
+        assert values["far_from_points"] == 0
+        assert (values["genus"], values["boundary_edges"], values["components"]) == (0, 0, 1)
+        assert values["valence_6"] > 99
+        assert measured.valence_shares[6] == values["valence_6"]
+        assert sum(measured.valence_shares) == pytest.approx(100)
+
+
+def test_gaps_between_points_are_no_error_but_surface_far_from_them_is():
+    # Points 1 apart on a plane: a spot between them is on it, one 10 outside is 10 away.
+    x, y = np.meshgrid(np.arange(20.0), np.arange(20.0))
+    points = np.column_stack([x.ravel(), y.ravel(), np.zeros(400)])
+    cloud = Cloud("plane", points, np.tile([0.0, 0, 1], (400, 1)), "its own", spacing=1.0)
+    reference = Reference(cloud, None)
+    probes = np.array([[4.5, 4.5, 0.0], [4.5, 4.5, 0.2], [29.0, 5.0, 0.0]])
+    assert reference.distances(probes) == pytest.approx([0, 0.2, 10])
+    assert reference.far_from_points(probes).tolist() == [False, False, True]
+
+
+def test_normals_are_the_clouds_own_or_estimated_and_said_to_be(tmp_path: Path):
+    points, _ = unit_sphere(12)
+    write_ply(tmp_path / "bare.ply", points)
+    bare = load_cloud(str(tmp_path / "bare.ply"))
+    assert bare.normals_from == "estimated from 16 neighbours, as it has none"
+    # The 16 nearest of 578 points on a sphere span 25 degrees or so: the plane tilts by less.
+    assert np.min(np.sum(bare.normals * points, axis=1)) > 0.99
+    rows = np.hstack([points, -2 * points])
+    np.savetxt(tmp_path / "own.xyz", rows)
+    own = load_cloud(str(tmp_path / "own.xyz"))
+    assert own.normals_from == "its own"
+    assert own.normals == pytest.approx(-points, abs=1e-6)
+
+
+def test_repeated_points_count_once_and_the_spacing_is_that_of_neighbours(tmp_path: Path):
+    grid = np.column_stack([np.arange(30.0), np.zeros(30), np.arange(30) % 2])
+    write_ply(tmp_path / "line.ply", np.vstack([grid, grid]))
+    cloud = load_cloud(str(tmp_path / "line.ply"))
+    assert len(cloud.points) == 30
+    assert cloud.spacing == pytest.approx(np.sqrt(2))
+
+
+def test_a_cloud_or_reference_that_cannot_be_used_is_a_sentence(tmp_path: Path):
+    write_ply(tmp_path / "few.ply", np.eye(3))
+    with pytest.raises(ValueError, match="It holds 3 points; 17 are the least"):
+        load_cloud(str(tmp_path / "few.ply"))
+    with pytest.raises(ValueError, match="It has no faces"):
+        load_surface(str(tmp_path / "few.ply"))
+
+
+def test_vertices_are_5000_by_default_but_a_quarter_of_the_points_at_most():
+    assert default_vertices(1_000_000) == 5000
+    assert default_vertices(2000) == 500
+
+
+def result(method: str, rms: float, seconds: float, **changes: float) -> Result:
+    """A made-up result: closed, sound and on the data unless changed."""
+    sound = {
+        "faces": 1000,
+        "self_intersecting": 0,
+        "non_manifold_edges": 0,
+        "boundary_edges": 0,
+        "far_from_points": 0.0,
+    }
+    values = {**sound, "rms": rms, "seconds": seconds, **changes}
+    nothing = Mesh(0, np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int32), seconds)
+    return Result(method, values=values, mesh=nothing)
+
+
+def verdict_on(*results: Result) -> tuple[str, str]:
+    """The method recommended and all that is said."""
+    verdict = judge(Comparison("made-up", "", "", sphere_cloud(), 500, list(results)))
+    return verdict.method, f"{verdict.sentence} {verdict.more}"
+
+
+def test_of_closed_meshes_the_most_accurate_is_recommended():
+    method, words = verdict_on(result("poisson", 0.01, 5), result("neural-mesh", 0.02, 1))
+    assert method == "poisson"
+    assert "the least error of the closed, sound meshes; Neural Mesh has 2 times as much" in words
+    assert "If time matters, Neural Mesh is 5 times as fast" in words
+
+
+def test_of_errors_within_a_tenth_the_fastest_is_recommended():
+    method, words = verdict_on(result("poisson", 0.0100, 5), result("neural-mesh", 0.0105, 1))
+    assert method == "neural-mesh"
+    assert "as accurate as screened Poisson and 5 times as fast" in words
+
+
+def test_no_error_at_all_is_no_trouble():
+    method, words = verdict_on(result("poisson", 0.0, 5), result("neural-mesh", 0.02, 1))
+    assert method == "poisson"
+    assert "without error, alone of the closed, sound meshes" in words
+    assert verdict_on(result("poisson", 0.0, 5), result("vcg", 0.0, 1))[0] == "vcg"
+
+
+@pytest.mark.parametrize(
+    "flaw", [{"boundary_edges": 3}, {"non_manifold_edges": 1}, {"self_intersecting": 6}]
+)
+def test_a_flawed_mesh_is_not_recommended_where_a_closed_sound_one_is(flaw: dict[str, float]):
+    flawed = result("ball-pivoting", 0.001, 0.1, **flaw)
+    method, words = verdict_on(flawed, result("neural-mesh", 0.02, 1))
+    assert method == "neural-mesh"
+    assert "there are no other closed, sound meshes" in words
+
+
+def test_an_open_scan_takes_an_open_mesh_and_names_the_one_that_closes_it():
+    method, words = verdict_on(
+        result("poisson", 0.5, 5, far_from_points=40.0),
+        result("neural-mesh", 0.2, 1, far_from_points=30.0),
+        result("ball-pivoting", 0.01, 0.1, boundary_edges=300, non_manifold_edges=1),
+        result("alpha-shape", 0.001, 0.1, boundary_edges=300, non_manifold_edges=400),
+    )
+    assert method == "ball-pivoting"
+    assert words.startswith("The scan is open: use ball pivoting, RMS error")
+    assert "If it must be closed, use Neural Mesh" in words
+    assert "30 % of its surface is made up" in words
+
+
+def test_failures_alone_recommend_nothing():
+    failed = Result("poisson", "The process crashed with SIGSEGV.")
+    assert verdict_on(failed)[0] == ""
+    assert verdict_on(failed, result("neural-mesh", 0.1, 1))[0] == "neural-mesh"
