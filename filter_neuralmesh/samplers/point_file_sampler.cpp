@@ -22,7 +22,10 @@ constexpr double boundsTolerance = 1e-3;
 constexpr double leastFilled = 0.5;
 
 /// Points drawn between two looks at whether the file has changed.
-constexpr std::uint64_t pointsPerLook = 1 << 20;
+constexpr std::size_t pointsPerLook = 1 << 20;
+
+/// Records that are asked for before the first of them is read.
+constexpr std::size_t readsAtOnce = 64;
 
 const char *const changed = "the file was changed while it was being read.";
 
@@ -101,21 +104,39 @@ vcg::Box3d PointFileSampler::findWorldBounds(const Progress &progress) const
 void PointFileSampler::draw(Random &random, std::size_t count, std::vector<Point3> &samples) const
 {
     samples.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i % pointsPerLook == 0 && file_.hasChanged())
+    for (std::size_t begin = 0; begin < count; begin += pointsPerLook) {
+        if (file_.hasChanged())
             throw named(path_, changed);
-        samples[i] = drawOne(random);
+        const std::size_t end = std::min(begin + pointsPerLook, count);
+        if (outliers_)
+            for (std::size_t i = begin; i < end; ++i)
+                samples[i] = drawNoOutlier(random);
+        else
+            for (std::size_t i = begin; i < end; i += readsAtOnce)
+                drawAtOnce(random, std::min(readsAtOnce, end - i), &samples[i]);
     }
 }
 
-Point3 PointFileSampler::drawOne(Random &random) const
+/// Asks for all records before it reads the first: each lies on a page of its own, and the memory
+/// answers several requests in hardly more time than one.
+void PointFileSampler::drawAtOnce(Random &random, std::size_t count, Point3 *samples) const
 {
-    const std::uint64_t count = records_.count();
+    std::uint64_t indices[readsAtOnce];
+    for (std::size_t i = 0; i < count; ++i) {
+        indices[i] = randomIndex(random, records_.count());
+        __builtin_prefetch(records_.record(indices[i]));
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        samples[i] = unitPoint(indices[i]);
+}
+
+Point3 PointFileSampler::drawNoOutlier(Random &random) const
+{
     Point3 sample;
     // At most a fifth are outliers: 64 in a row do not happen.
     for (int tries = 0; tries < 64; ++tries) {
-        sample = unitPoint(randomIndex(random, count));
-        if (!outliers_ || !outliers_->isOutlier(sample))
+        sample = unitPoint(randomIndex(random, records_.count()));
+        if (!outliers_->isOutlier(sample))
             break;
     }
     return sample;

@@ -37,7 +37,8 @@ public:
 private:
     vcg::Box3d findWorldBounds(const Progress &progress) const;
     Point3 unitPoint(std::uint64_t index) const { return frame_.toUnit(records_.point(index)); }
-    Point3 drawOne(Random &random) const;
+    void drawAtOnce(Random &random, std::size_t count, Point3 *samples) const;
+    Point3 drawNoOutlier(Random &random) const;
 
     std::string path_;
     MappedFile file_;

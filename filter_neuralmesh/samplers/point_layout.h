@@ -46,12 +46,14 @@ struct PointLayout {
 /// is safe to read, whatever its header said.
 void requireRoom(const PointLayout &layout, std::uint64_t fileSize);
 
-/// An unsigned or floating-point number at any address, in either byte order.
+constexpr bool hostIsBigEndian = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
+
+/// An integer or floating-point number at any address, in either byte order.
 template <class T> T loadNumber(const unsigned char *at, bool bigEndian)
 {
     unsigned char bytes[sizeof(T)];
     std::memcpy(bytes, at, sizeof(T));
-    if (bigEndian != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__))
+    if (bigEndian != hostIsBigEndian)
         for (std::size_t i = 0; i < sizeof(T) / 2; ++i) {
             const unsigned char byte = bytes[i];
             bytes[i] = bytes[sizeof(T) - 1 - i];
