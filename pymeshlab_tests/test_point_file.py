@@ -11,6 +11,7 @@ import pymeshlab
 import pytest
 from broken_point_files import VALID, BrokenFile, corpus
 from documents import FILTER, Points, mesh_from, reconstruct, sphere_points
+from file_benchmark import run_in_process, write_sphere
 from numpy.typing import NDArray
 
 pytestmark = pytest.mark.usefixtures("plugin")
@@ -156,3 +157,12 @@ def test_a_file_has_no_density(tmp_path: Path) -> None:
     assert refusal(document, pointfile=str(tmp_path / "sphere.npy"), densityfromquality=True) == (
         "DensityFromQuality is for layers: a point file has no vertex quality."
     )
+
+
+def test_memory_does_not_grow_with_the_file(plugin: Path, tmp_path: Path) -> None:
+    peaks = []
+    for points in (100_000, 5_000_000):
+        write_sphere(tmp_path / "sphere.ply", points)
+        peaks.append(run_in_process(plugin, tmp_path / "sphere.ply", 200).peak_mib)
+    # A loaded file would take 60 MB as it is and 120 MB in double precision.
+    assert peaks[1] - peaks[0] < 10
