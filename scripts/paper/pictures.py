@@ -14,7 +14,7 @@ import pyvista
 from paper.reported import MODELS, Model
 from paper.runs import Mesh
 
-PANEL = (400, 420)  # pixels
+PANEL = (400, 440)  # pixels
 WIREFRAME_PANEL = (900, 900)
 SURFACE_COLOUR = "#f3ead8"
 EDGE_COLOUR = "#26221c"
@@ -63,5 +63,5 @@ def _look_at(plotter: pyvista.Plotter, model: Model, mesh: Mesh) -> None:
     centre = (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0)) / 2
     plotter.camera_position = [centre + np.array(model.view), centre, model.up]
     plotter.reset_camera()
-    plotter.camera.zoom(1.3)
-    plotter.camera.SetWindowCenter(0.0, -0.06)  # up, out of the caption's way
+    plotter.camera.zoom(1.2)
+    plotter.camera.SetWindowCenter(0.0, -0.08)  # up, out of the caption's way

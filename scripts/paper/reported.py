@@ -51,8 +51,9 @@ MODELS = {
         1,
         (0.5, -1.0, 0.1),
         (0.0, 0.0, 1.0),
-        "CGAL's mannequin-devil, a mesh of 12,977 vertices, open at the neck, in place of the "
-        "paper's Max-Planck of 100K points, which no package holds",
+        "sampled from the surface of a mesh of 12,977 vertices (CGAL's mannequin-devil, open at the "
+        "neck, closed by the network), in place of the paper's Max-Planck of 100K points, which "
+        "no package holds",
     ),
     "armadillo": Model(
         "Armadillo",
