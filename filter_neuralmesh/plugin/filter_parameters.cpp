@@ -139,7 +139,8 @@ RichParameterList reconstructionParameters(const MeshDocument &document)
     list.addParam(RichFileOpen("PointFile", "", {"*.ply *.las *.npy", "*.ply", "*.las", "*.npy"},
                                "Point file",
                                "With a point file as the Source: binary PLY, LAS, or NumPy's NPY "
-                               "(N by 3, float32 or float64), read in place. No layer is needed."));
+                               "(N by 3, float32 or float64), read in place. No layer is needed. "
+                               "Colours and other properties of the file are not looked at."));
     addCommonParameters(list);
     addStartParameters(list, document);
     list.addParam(RichBool("DensityFromQuality", false, "Density from quality",

@@ -38,25 +38,37 @@ TEST(PointFileHeaders, read_every_type_and_byte_order)
     }
 }
 
-TEST(PointFileHeaders, read_ply_properties_in_any_order_behind_other_elements)
+/// Two points with y of type float between doubles, colours and labels, behind another element
+/// and before faces.
+std::string plyOfManyTypes()
 {
     std::string content = "ply\r\nformat binary_big_endian 1.0\r\ncomment made by hand\r\n"
                           "element camera 2\r\nproperty double focus\r\n"
                           "element vertex 2\r\nproperty uchar red\r\nproperty double z\r\n"
-                          "property float x\r\nproperty short label\r\nproperty float y\r\n"
+                          "property double x\r\nproperty short label\r\nproperty float y\r\n"
                           "element face 1\r\nproperty list uchar int vertex_indices\r\n"
                           "end_header\r\n";
     content += std::string(16, 'c');
     for (const double start : {10.0, 20.0}) {
         content += '\xff';
         test::append(content, start + 3, true);
-        test::append(content, static_cast<float>(start + 1), true);
+        test::append(content, start + 1, true);
         content += "lb";
         test::append(content, static_cast<float>(start + 2), true);
     }
-    content += "faces";
+    return content + "faces";
+}
+
+TEST(PointFileHeaders, read_ply_properties_of_any_type_and_order_behind_other_elements)
+{
     const test::WorldPoints expected{{11, 12, 13}, {21, 22, 23}};
+    const std::string content = plyOfManyTypes();
     EXPECT_EQ(pointsOf(content), expected);
+    const PointRecords records(bytesOf(content), readPointLayout(bytesOf(content)));
+    const PointSurvey survey = surveyPoints(records);
+    EXPECT_EQ(survey.bounds.min, expected[0]);
+    EXPECT_EQ(survey.bounds.max, expected[1]);
+    EXPECT_EQ(survey.notFinite, 0U);
 }
 
 TEST(PointFileHeaders, read_las_counts_and_scaled_coordinates_of_both_generations)

@@ -51,9 +51,9 @@ MODELS = {
         1,
         (0.5, -1.0, 0.1),
         (0.0, 0.0, 1.0),
-        "sampled from the surface of a mesh of 12,977 vertices (CGAL's mannequin-devil, open at the "
-        "neck, closed by the network), in place of the paper's Max-Planck of 100K points, which "
-        "no package holds",
+        "CGAL's mannequin-devil, sampled from the surface of a mesh of 12,977 vertices, which is "
+        "open at the neck (the network closes it), in place of the paper's Max-Planck of 100K "
+        "points, which no package holds",
     ),
     "armadillo": Model(
         "Armadillo",
