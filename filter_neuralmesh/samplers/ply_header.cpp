@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
-#include <map>
 #include <vector>
 
 #include "core/errors.h"
@@ -60,16 +59,22 @@ private:
     std::string line_;
 };
 
+struct TypeSize {
+    const char *name;
+    std::size_t bytes;
+};
+
+constexpr TypeSize typeSizes[] = {{"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},
+                                  {"short", 2}, {"ushort", 2},  {"int16", 2},  {"uint16", 2},
+                                  {"int", 4},   {"uint", 4},    {"int32", 4},  {"uint32", 4},
+                                  {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+
 std::size_t sizeOfType(const std::string &type)
 {
-    static const std::map<std::string, std::size_t> sizes = {
-        {"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},  {"short", 2}, {"ushort", 2},
-        {"int16", 2}, {"uint16", 2},  {"int", 4},    {"uint", 4},   {"int32", 4}, {"uint32", 4},
-        {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
-    const auto found = sizes.find(type);
-    if (found == sizes.end())
-        throw InvalidInput("its header has a property of the unknown type " + quoted(type) + ".");
-    return found->second;
+    for (const TypeSize &each : typeSizes)
+        if (type == each.name)
+            return each.bytes;
+    throw InvalidInput("its header has a property of the unknown type " + quoted(type) + ".");
 }
 
 std::uint64_t parseCount(const std::string &text)

@@ -68,7 +68,6 @@ bool areCredible(const vcg::Box3d &claimed, const PointRecords &records)
 PointFileSampler::PointFileSampler(const std::string &path, const Progress &progress)
 try : path_(path), file_(path), records_(file_.bytes(), readPointLayout(file_.bytes())) {
     const vcg::Box3d worldBounds = findWorldBounds(progress);
-    file_.expectRandomReads();
     frame_ = frameOf(worldBounds);
     bounds_.Add(frame_.toUnit(worldBounds.min));
     bounds_.Add(frame_.toUnit(worldBounds.max));
@@ -91,11 +90,13 @@ try : path_(path), file_(path), records_(file_.bytes(), readPointLayout(file_.by
 
 vcg::Box3d PointFileSampler::findWorldBounds(const Progress &progress) const
 {
+    file_.expectRandomReads();
     const std::optional<vcg::Box3d> &claimed = records_.layout().claimedBounds;
     if (claimed && areCredible(*claimed, records_))
         return *claimed;
     file_.expectPass();
     const PointSurvey survey = surveyPoints(records_, progress);
+    file_.expectRandomReads();
     if (survey.notFinite > 0)
         refuseNotFinite(survey.notFinite, records_.count(), survey.firstNotFinite);
     return survey.bounds;
