@@ -99,10 +99,10 @@ def test_points_without_a_surface_are_refused(points: Points, sentence: str) -> 
     assert_refused(document_of(points), sentence, targetvertnum=10)
 
 
-def test_an_empty_document_is_refused(mesh_set: pymeshlab.MeshSet) -> None:
-    # PyMeshLab itself stops here, before the filter is asked.
-    with pytest.raises(pymeshlab.PyMeshLabException, match="requires at least one mesh"):
-        reconstruct(mesh_set)
+@pytest.mark.parametrize("source", [0, 1])
+def test_an_empty_document_is_refused(source: int, mesh_set: pymeshlab.MeshSet) -> None:
+    with pytest.raises(pymeshlab.PyMeshLabException, match="There is no current layer: open or"):
+        reconstruct(mesh_set, source=source)
     assert mesh_set.mesh_number() == 0
 
 

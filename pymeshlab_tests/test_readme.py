@@ -103,7 +103,7 @@ def test_tables_of_the_other_filters_list_what_they_have_of_their_own(
     text = section("Parameters of the other two filters").split(words)[1].split("\nOf a")[0]
     printed = {row[0].strip("`"): row[1] for row in table_rows(text)}
     shown = defaults_of(filter_name)
-    for common in set(defaults_of(FILTER)) - {"source", "densityfromquality"}:
+    for common in set(defaults_of(FILTER)) - {"source", "pointfile", "densityfromquality"}:
         del shown[common]
     assert printed == shown
 

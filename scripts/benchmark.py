@@ -6,6 +6,7 @@
                                                   ours alone; peers' rows come from the cache
     benchmark.py --speed                          time, as a ratio, in one process
     benchmark.py --batch                          throughput of scripts/batch.py, two workers to one
+    benchmark.py --file                           time and memory on a file of 100,000,000 points
     benchmark.py --quality --summary              what was asked, what was measured
     benchmark.py --quality --models bunny --ours splitrule=1 --ours smoothingpasses=3
                                                   more rows of ours, with other parameters
@@ -24,6 +25,7 @@ from pathlib import Path
 import datasets
 import pymeshlab
 from batch_speed import compare_workers
+from file_benchmark import compare_file
 from quality import bars, models, report
 from quality.inputs import CONDITIONS
 from quality.methods import METHODS
@@ -41,7 +43,6 @@ def _add_what_to_measure(parser: argparse.ArgumentParser) -> None:
     what.add_argument(
         "--speed", action="store_true", help="time against Poisson and decimation, on the bunny"
     )
-    what.add_argument("--runs", type=int, default=5, help="of each method for --speed (default 5)")
     what.add_argument(
         "--batch",
         type=int,
@@ -49,6 +50,19 @@ def _add_what_to_measure(parser: argparse.ArgumentParser) -> None:
         const=200,
         metavar="CLOUDS",
         help="throughput of batches of so many small clouds (default 200)",
+    )
+    what.add_argument(
+        "--file",
+        action="store_true",
+        help="a point file on disk (1.2 GB, in the temporary folder, not kept) against 1,000,000 "
+        "points in memory",
+    )
+    what.add_argument("--file-points", type=int, default=100_000_000, help="(default 100000000)")
+    what.add_argument(
+        "--runs",
+        type=int,
+        default=5,
+        help="of each method for --speed, --batch and --file (default 5)",
     )
 
 
@@ -90,8 +104,8 @@ def parse_arguments() -> argparse.Namespace:
     quality.add_argument("--json", type=Path, metavar="FILE", help="write all rows")
     quality.add_argument("--summary", action="store_true", help="asked and measured, a line each")
     options = parser.parse_args()
-    if not (options.quality or options.speed or options.batch):
-        parser.error("nothing to measure: give --quality, --speed or --batch")
+    if not (options.quality or options.speed or options.batch or options.file):
+        parser.error("nothing to measure: give --quality, --speed, --batch or --file")
     options.models = _names(parser, "model", options.models, list(models.MODELS))
     options.conditions = _names(parser, "condition", options.conditions, list(CONDITIONS))
     options.methods = _names(parser, "method", options.methods, list(METHODS))
@@ -190,6 +204,9 @@ def main() -> int:
         print(compare_speed(options.vertices or 5000, options.runs).text(), flush=True)
     if options.batch:
         print(compare_workers(options.batch, options.runs).text(), flush=True)
+    if options.file:
+        vertices = options.vertices or 5000
+        print(compare_file(options.plugin, options.file_points, vertices, options.runs), flush=True)
     return run_quality(options) if options.quality else 0
 
 

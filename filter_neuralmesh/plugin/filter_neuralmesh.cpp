@@ -11,6 +11,13 @@
 #include "host_progress.h"
 #include "layers.h"
 
+namespace {
+
+/// Of the time of a run: the target space is opened, which is one pass over a point file.
+constexpr double shareOfOpening = 0.1;
+
+} // namespace
+
 FilterNeuralMesh::FilterNeuralMesh()
 {
     typeList = {FromLayers, FromImplicitSurface, FromParametricSurface};
@@ -65,9 +72,9 @@ FilterPlugin::FilterClass FilterNeuralMesh::getClass(const QAction *action) cons
     return FilterPlugin::MeshCreation;
 }
 
-FilterPlugin::FilterArity FilterNeuralMesh::filterArity(const QAction *action) const
+FilterPlugin::FilterArity FilterNeuralMesh::filterArity(const QAction *) const
 {
-    return ID(action) == FromLayers ? SINGLE_MESH : NONE;
+    return NONE; // a point file needs no layer either: the document may be empty
 }
 
 int FilterNeuralMesh::postCondition(const QAction *) const
@@ -97,13 +104,17 @@ std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *act
         switch (ID(action)) {
         case FromLayers:
             return reconstruct(parameters, document, callback,
-                               [&] { return makeTargetSpace(parameters, document); });
+                               [&](const neuralmesh::Progress &opening) {
+                                   return makeTargetSpace(parameters, document, opening);
+                               });
         case FromImplicitSurface:
-            return reconstruct(parameters, document, callback,
-                               [&] { return makeImplicitSurface(parameters); });
+            return reconstruct(parameters, document, callback, [&](const neuralmesh::Progress &) {
+                return makeImplicitSurface(parameters);
+            });
         case FromParametricSurface:
-            return reconstruct(parameters, document, callback,
-                               [&] { return makeParametricSurface(parameters); });
+            return reconstruct(parameters, document, callback, [&](const neuralmesh::Progress &) {
+                return makeParametricSurface(parameters);
+            });
         default: wrongActionCalled(action); return {};
         }
     } catch (const neuralmesh::InvalidInput &error) {
@@ -115,15 +126,16 @@ std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *act
     }
 }
 
-std::map<std::string, QVariant>
-FilterNeuralMesh::reconstruct(const RichParameterList &parameters, MeshDocument &document,
-                              vcg::CallBackPos *callback,
-                              const std::function<TargetSpace()> &makeTarget)
+std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParameterList &parameters,
+                                                              MeshDocument &document,
+                                                              vcg::CallBackPos *callback,
+                                                              const MakeTarget &makeTarget)
 {
     const auto start = std::chrono::steady_clock::now();
     const neuralmesh::GrowthParameters growthParameters = readGrowthParameters(parameters);
     growthParameters.validate();
-    const TargetSpace target = makeTarget();
+    const neuralmesh::Progress progress = throttledProgress(callback);
+    const TargetSpace target = makeTarget(part(progress, 0, shareOfOpening));
     const neuralmesh::UnitFrame &frame = target.sampler->frame();
 
     Reconstruction result;
@@ -136,7 +148,7 @@ FilterNeuralMesh::reconstruct(const RichParameterList &parameters, MeshDocument 
         result.snapshots.push_back(std::move(snapshot));
     };
     result.growth = neuralmesh::grow(result.mesh, *target.sampler, growthParameters,
-                                     throttledProgress(callback), keep);
+                                     part(progress, shareOfOpening, 1), keep);
     result.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 

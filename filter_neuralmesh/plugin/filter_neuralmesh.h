@@ -40,7 +40,10 @@ public:
                 unsigned int &postConditionMask, vcg::CallBackPos *callback) override;
 
 private:
+    /// Is told how far it is.
+    using MakeTarget = std::function<TargetSpace(const neuralmesh::Progress &)>;
+
     std::map<std::string, QVariant> reconstruct(const RichParameterList &parameters,
                                                 MeshDocument &document, vcg::CallBackPos *callback,
-                                                const std::function<TargetSpace()> &makeTarget);
+                                                const MakeTarget &makeTarget);
 };

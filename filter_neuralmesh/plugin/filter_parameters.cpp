@@ -134,7 +134,13 @@ RichParameterList reconstructionParameters(const MeshDocument &document)
     list.addParam(RichEnum("Source", static_cast<int>(Source::pointsOfLayer), sourceLabels(),
                            "Source",
                            "What is sampled: vertices, each as likely as any other, or faces, "
-                           "uniformly by area. Layers are taken with their matrices."));
+                           "uniformly by area. Layers are taken with their matrices. A file on "
+                           "disk is not loaded, however large it is."));
+    list.addParam(RichFileOpen("PointFile", "", {"*.ply *.las *.npy", "*.ply", "*.las", "*.npy"},
+                               "Point file",
+                               "With a point file as the Source: binary PLY, LAS, or NumPy's NPY "
+                               "(N by 3, float32 or float64), read in place. No layer is needed. "
+                               "Colours and other properties of the file are not looked at."));
     addCommonParameters(list);
     addStartParameters(list, document);
     list.addParam(RichBool("DensityFromQuality", false, "Density from quality",

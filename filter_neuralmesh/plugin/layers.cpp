@@ -96,6 +96,11 @@ QString nameOf(const MeshModel &layer)
     QString name = QFileInfo(layer.label()).completeBaseName();
     if (name.isEmpty())
         name = layer.label();
+    return withoutDots(name);
+}
+
+QString withoutDots(QString name)
+{
     return name.replace('.', '_');
 }
 

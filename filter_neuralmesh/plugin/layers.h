@@ -27,8 +27,11 @@ std::vector<double> vertexQualities(const MeshModel &layer);
 void makeStartingMesh(neuralmesh::NeuralMesh &mesh, const MeshModel &layer,
                       const neuralmesh::UnitFrame &frame);
 
-/// A layer's label without the dots that the host would take for a file's extension.
+/// A layer's label, without its extension and without dots.
 QString nameOf(const MeshModel &layer);
+
+/// Without the dots that the host would take for a file's extension.
+QString withoutDots(QString name);
 
 /// Adds the network to the document as a new layer, current, with an identity matrix, in world
 /// coordinates, normals computed. The network needs its faces; the label must not have dots.

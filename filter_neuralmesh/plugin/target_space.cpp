@@ -9,11 +9,24 @@
 #include "samplers/input_checks.h"
 #include "samplers/parametric_sampler.h"
 #include "samplers/point_cloud_sampler.h"
+#include "samplers/point_file_sampler.h"
 #include "samplers/surface_sampler.h"
 
 namespace {
 
 using neuralmesh::InvalidInput;
+
+/// Empty where no outliers were found.
+std::string outlierRemark(double share)
+{
+    if (share <= 0)
+        return {};
+    char line[128];
+    std::snprintf(line, sizeof line,
+                  "About %.1f %% of the points stand alone and were taken for outliers.",
+                  100 * share);
+    return line;
+}
 
 /// The points of several layers, with a density for each where one is asked for.
 class PointCollection {
@@ -35,14 +48,7 @@ public:
         auto sampler = std::make_unique<neuralmesh::PointCloudSampler>(
             points_,
             withDensity_ ? neuralmesh::densityFrom(std::move(qualities_)) : std::vector<double>());
-        std::string remark;
-        if (sampler->outlierShare() > 0) {
-            char line[128];
-            std::snprintf(line, sizeof line,
-                          "About %.1f %% of the points stand alone and were taken for outliers.",
-                          100 * sampler->outlierShare());
-            remark = line;
-        }
+        const std::string remark = outlierRemark(sampler->outlierShare());
         return {std::move(sampler), name, remark};
     }
 
@@ -95,21 +101,38 @@ neuralmesh::Expression expression(const RichParameterList &parameters, const cha
     return {name, parameters.getString(name).toStdString(), variables};
 }
 
+TargetSpace pointFile(const QString &path, bool withDensity, const neuralmesh::Progress &progress)
+{
+    if (path.isEmpty())
+        throw InvalidInput("Source is a point file, but PointFile names none.");
+    if (withDensity)
+        throw InvalidInput("DensityFromQuality is for layers: a point file has no vertex quality.");
+    const std::string encoded = QFile::encodeName(path).toStdString();
+    auto sampler = std::make_unique<neuralmesh::PointFileSampler>(encoded, progress);
+    const std::string remark = outlierRemark(sampler->outlierShare());
+    const QString name = QFileInfo(path).completeBaseName();
+    return {std::move(sampler), withoutDots(name.isEmpty() ? QFileInfo(path).fileName() : name),
+            remark};
+}
+
 } // namespace
 
 QStringList sourceLabels()
 {
     return {"Points of the current layer", "Surface of the current layer",
-            "Points of all visible layers"};
+            "Points of all visible layers", "A point file on disk"};
 }
 
-TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocument &document)
+TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocument &document,
+                            const neuralmesh::Progress &progress)
 {
     const bool withDensity = parameters.getBool("DensityFromQuality");
     switch (static_cast<Source>(parameters.getEnum("Source"))) {
     case Source::pointsOfLayer: return pointsOfLayer(currentLayer(document), withDensity);
     case Source::surfaceOfLayer: return surfaceOfLayer(currentLayer(document), withDensity);
     case Source::pointsOfVisibleLayers: return pointsOfVisibleLayers(document, withDensity);
+    case Source::pointFile:
+        return pointFile(parameters.getOpenFileName("PointFile"), withDensity, progress);
     }
     throw InvalidInput("Source must be one of 0 to " + std::to_string(sourceLabels().size() - 1) +
                        ".");

@@ -7,6 +7,7 @@
 #include <common/ml_document/mesh_document.h>
 #include <common/parameters/rich_parameter_list.h>
 
+#include "core/progress.h"
 #include "core/sampler.h"
 
 /// What the network learns.
@@ -19,14 +20,15 @@ struct TargetSpace {
 };
 
 /// Values of the parameter Source, in the order of its labels.
-enum class Source { pointsOfLayer, surfaceOfLayer, pointsOfVisibleLayers };
+enum class Source { pointsOfLayer, surfaceOfLayer, pointsOfVisibleLayers, pointFile };
 
 /// What Source offers in dialogs and scripts.
 QStringList sourceLabels();
 
 /// The target spaces of the filters "Neural Mesh Reconstruction", "... from Implicit Surface" and
 /// "... from Parametric Surface". They throw InvalidInput, with a sentence for the user, where
-/// there is nothing to sample.
-TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocument &document);
+/// there is nothing to sample, the first also Cancelled, while it reads a file.
+TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocument &document,
+                            const neuralmesh::Progress &progress);
 TargetSpace makeImplicitSurface(const RichParameterList &parameters);
 TargetSpace makeParametricSurface(const RichParameterList &parameters);

@@ -16,11 +16,6 @@ namespace {
 /// above the rounding of single-precision input, below any real relief.
 constexpr double flatExtent = 1e-6;
 
-bool isFinite(const vcg::Point3d &p)
-{
-    return std::isfinite(p.X()) && std::isfinite(p.Y()) && std::isfinite(p.Z());
-}
-
 /// Widths of the points along their principal axes, ascending, in units of the diagonal.
 Eigen::Vector3d principalWidths(const std::vector<Point3> &points)
 {
@@ -37,6 +32,13 @@ Eigen::Vector3d principalWidths(const std::vector<Point3> &points)
 
 } // namespace
 
+void refuseNotFinite(std::uint64_t notFinite, std::uint64_t points, std::uint64_t first)
+{
+    throw InvalidInput(std::to_string(notFinite) + " of " + std::to_string(points) +
+                       " points have coordinates that are NaN or infinite (the first is point " +
+                       std::to_string(first) + "). Remove them and try again.");
+}
+
 void requireFinite(const std::vector<vcg::Point3d> &world)
 {
     std::size_t broken = 0;
@@ -45,10 +47,7 @@ void requireFinite(const std::vector<vcg::Point3d> &world)
         if (!isFinite(world[i]) && broken++ == 0)
             first = i;
     if (broken > 0)
-        throw InvalidInput(
-            std::to_string(broken) + " of " + std::to_string(world.size()) +
-            " points have coordinates that are NaN or infinite (the first is point " +
-            std::to_string(first) + "). Remove them and try again.");
+        refuseNotFinite(broken, world.size(), first);
 }
 
 UnitFrame frameOf(const vcg::Box3d &worldBounds)
@@ -59,6 +58,13 @@ UnitFrame frameOf(const vcg::Box3d &worldBounds)
     if (!(worldBounds.Diag() > 0))
         throw InvalidInput("All points lie in one place: there is no surface to reconstruct.");
     return UnitFrame(worldBounds);
+}
+
+void requireFourPoints(std::size_t distinct)
+{
+    if (distinct < 4)
+        throw InvalidInput("Only " + std::to_string(distinct) +
+                           " distinct points: a closed surface needs at least 4.");
 }
 
 void requireSolid(const std::vector<Point3> &points)

@@ -2,6 +2,8 @@
 // What every target space is asked before a surface is sought in it.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "core/neural_mesh.h"
@@ -9,12 +11,24 @@
 
 namespace neuralmesh {
 
+inline bool isFinite(const vcg::Point3d &p)
+{
+    return std::isfinite(p.X()) && std::isfinite(p.Y()) && std::isfinite(p.Z());
+}
+
+/// Throws InvalidInput that says how many of the points are not finite and which is the first.
+[[noreturn]] void refuseNotFinite(std::uint64_t notFinite, std::uint64_t points,
+                                  std::uint64_t first);
+
 /// Throws InvalidInput where a coordinate is NaN or infinite, with how many and the first.
 void requireFinite(const std::vector<vcg::Point3d> &world);
 
 /// The unit frame of a target space's bounds, in world coordinates. Throws InvalidInput where its
 /// diagonal is zero or not finite.
 UnitFrame frameOf(const vcg::Box3d &worldBounds);
+
+/// Throws InvalidInput where there are fewer distinct points than a tetrahedron has.
+void requireFourPoints(std::size_t distinct);
 
 /// Throws InvalidInput where the points, given in the unit frame, all lie on a line or a plane.
 void requireSolid(const std::vector<Point3> &points);

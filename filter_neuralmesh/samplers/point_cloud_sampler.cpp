@@ -2,11 +2,9 @@
 #include "samplers/point_cloud_sampler.h"
 
 #include <algorithm>
-#include <cstring>
-#include <string>
-#include <unordered_set>
 
 #include "core/errors.h"
+#include "samplers/distinct_points.h"
 #include "samplers/input_checks.h"
 
 namespace neuralmesh {
@@ -14,21 +12,6 @@ namespace {
 
 /// Up to so many points are sifted for outliers beforehand; of more, those that are drawn.
 constexpr std::size_t mostPointsSifted = 200000;
-
-struct PointHash {
-    std::size_t operator()(const Point3 &p) const
-    {
-        std::uint64_t hash = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double coordinate = p[axis] + 0.0; // -0 and 0 are one place
-            std::uint64_t bits = 0;
-            std::memcpy(&bits, &coordinate, sizeof bits);
-            hash = (hash ^ bits) * 0x9e3779b97f4a7c15ULL;
-            hash ^= hash >> 32;
-        }
-        return static_cast<std::size_t>(hash);
-    }
-};
 
 } // namespace
 
@@ -54,9 +37,7 @@ PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d> &world,
         if (!density.empty())
             weights.push_back(density[i]);
     }
-    if (const std::size_t distinct = countDistinctPoints(4); distinct < 4)
-        throw InvalidInput("Only " + std::to_string(distinct) +
-                           " distinct points: a closed surface needs at least 4.");
+    requireFourPoints(countDistinctPoints(4));
     if (density.empty())
         setAsideOutliers();
     else
@@ -100,14 +81,13 @@ std::size_t PointCloudSampler::drawIndex(Random &random) const
 
 std::size_t PointCloudSampler::countDistinctPoints(std::size_t enough) const
 {
-    std::unordered_set<Point3, PointHash> seen;
-    seen.reserve(std::min(enough, points_.size()));
+    DistinctPoints distinct(std::min(enough, points_.size()));
     for (const Point3 &p : points_) {
-        seen.insert(p);
-        if (seen.size() >= enough)
+        distinct.insert(p);
+        if (distinct.size() >= enough)
             break;
     }
-    return seen.size();
+    return distinct.size();
 }
 
 } // namespace neuralmesh

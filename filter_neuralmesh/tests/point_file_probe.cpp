@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opens each point file named on the command line and draws from it; prints a line each: "accepted"
+// or the sentence of the refusal. Used on broken files, under sanitizers too.
+#include <cstdio>
+
+#include "core/errors.h"
+#include "samplers/point_file_sampler.h"
+
+int main(int argc, char **argv)
+{
+    for (int i = 1; i < argc; ++i) {
+        try {
+            const neuralmesh::PointFileSampler sampler(argv[i]);
+            neuralmesh::Random random(1);
+            std::vector<neuralmesh::Point3> samples;
+            sampler.draw(random, 1000, samples);
+            std::puts("accepted");
+        } catch (const neuralmesh::InvalidInput &problem) {
+            std::puts(problem.what());
+        }
+    }
+}
