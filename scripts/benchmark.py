@@ -62,7 +62,7 @@ def _add_what_to_measure(parser: argparse.ArgumentParser) -> None:
         "--runs",
         type=int,
         default=5,
-        help="of each method for --speed, --batch and --file (default 5)",
+        help="of each, for --speed, --batch and --file (default 5)",
     )
 
 
