@@ -114,14 +114,14 @@ class MeshLab:
     def click(widget: Widget) -> None:
         """Click in the middle of a widget."""
         x, y = widget.centre
-        move = ["xdotool", "mousemove", "--sync", str(x), str(y), "click", "1"]
+        move = ["xdotool", "mousemove", str(x), str(y), "click", "1"]
         subprocess.run(move, check=True, timeout=60)
 
     @staticmethod
     def hover(widget: Widget) -> None:
-        """Move the pointer onto a widget."""
+        """Move the pointer onto a widget, and a little there."""
         x, y = widget.centre
-        move = ["xdotool", "mousemove", "--sync", str(x), str(y)]
+        move = ["xdotool", "mousemove", str(x), str(y), "mousemove_relative", "--", "-2", "0"]
         subprocess.run(move, check=True, timeout=60)
 
     def open_menu(self, *names: str) -> list[Widget]:
