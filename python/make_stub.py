@@ -49,7 +49,11 @@ def documentation_module() -> ModuleType:
 def method_stub(filter_: object) -> str:
     """Return the lines of one method."""
     parameters = filter_.signature().parameters.values()
-    listed = [f"{p.name}: {p.annotation} = {p.default!r}," for p in parameters if p.name != "self"]
+    listed = [
+        f"{p.name}: {p.annotation.__name__} = {p.default!r},"
+        for p in parameters
+        if p.name != "self"
+    ]
     signature = "\n".join(
         [f"def {filter_.name}(", "    self,", "    *,", *(f"    {p}" for p in listed)]
     )

@@ -54,7 +54,7 @@ class FilterDocumentation:
     parameters: tuple[ParameterDocumentation, ...]
 
     def defaults(self) -> dict[str, object]:
-        """Return the defaults by name, in the dialog's order, as PyMeshLab gives them for a cube."""
+        """Return the defaults by name, in the dialog's order, as PyMeshLab has them for a cube."""
         document = MeshSet(verbose=False)
         document.create_cube()
         values = document.filter_parameter_values(self.name)
@@ -69,10 +69,10 @@ class FilterDocumentation:
                     name,
                     inspect.Parameter.KEYWORD_ONLY,
                     default=default,
-                    annotation=type(default).__name__,
+                    annotation=type(default),
                 )
             )
-        return inspect.Signature(parameters, return_annotation="dict[str, object]")
+        return inspect.Signature(parameters, return_annotation=dict[str, object])
 
     def docstring(self) -> str:
         """Return what `help` shows."""

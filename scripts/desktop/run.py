@@ -38,23 +38,24 @@ def main() -> int:
     parser.add_argument("--root", type=Path, required=True, help="the Debian root")
     parser.add_argument("--work", type=Path, required=True, help="an empty folder for this run")
     parser.add_argument("--out", type=Path, required=True, help="where screenshots are kept")
+    parser.add_argument("--plugin", type=Path, required=True, help="the plugin to be tested")
     parser.add_argument("tests", nargs="*", help="options and names for pytest")
     options = parser.parse_args()
-    prepare(options.work)
+    prepare(options.work, options.plugin)
     mount(options.root, options.work)
     passed = run_tests(options.root, options.tests)
     keep_screenshots(options.work, options.out)
     left = other_processes()
     if left:
         print("test_desktop: still running after the tests:", *left, file=sys.stderr)
-    if passed and not options.tests:
+    if passed and (not options.tests or (options.work / scene.SAVED_MESH).exists()):
         read_back(options.work)
     return 0 if passed and not left else 1
 
 
-def prepare(work: Path) -> None:
+def prepare(work: Path, plugin: Path) -> None:
     """Put the plugins and the input into the work folder."""
-    shutil.copy(ROOT / "build/meshlab/libfilter_neuralmesh.so", work / scene.SINGLE_PLUGIN)
+    shutil.copy(plugin, work / scene.SINGLE_PLUGIN)
     shutil.copy(ROOT / "build/pymeshlab/libfilter_neuralmesh.so", work / scene.DOUBLE_PLUGIN)
     (work / scene.EMPTYING_SCRIPT).write_text(SCRIPT, encoding="utf-8")
     samples = Path(pymeshlab.__file__).resolve().parent / "tests" / "sample_meshes"
@@ -68,9 +69,9 @@ def prepare(work: Path) -> None:
 
 
 def save_cloud(points: np.ndarray, path: Path) -> None:
-    """Write points, shape (n, 3), as a mesh file without faces."""
+    """Write points, shape (n, 3), as a mesh file without faces, in the desktop's precision."""
     document = pymeshlab.MeshSet(verbose=False)
-    document.add_mesh(pymeshlab.Mesh(points))
+    document.add_mesh(pymeshlab.Mesh(points.astype(np.float32).astype(np.float64)))
     document.save_current_mesh(str(path), binary=True)
 
 
