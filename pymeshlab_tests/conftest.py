@@ -11,6 +11,11 @@ import pymeshlab
 import pytest
 from numpy.typing import NDArray
 
+# PyMeshLab 2022.2, which the plugin can be built for, has older names for these.
+if not hasattr(pymeshlab.Mesh, "transform_matrix"):
+    pymeshlab.Mesh.transform_matrix = pymeshlab.Mesh.trasform_matrix
+    pymeshlab.MeshSet.mesh_number = pymeshlab.MeshSet.number_meshes
+
 ROOT = Path(__file__).resolve().parent.parent
 # Set for a plugin that was built for another version of PyMeshLab, with whose Python to test it.
 PLUGIN = Path(
