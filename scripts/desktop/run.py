@@ -48,8 +48,12 @@ def main() -> int:
     left = other_processes()
     if left:
         print("test_desktop: still running after the tests:", *left, file=sys.stderr)
-    if passed and (not options.tests or (options.work / scene.SAVED_MESH).exists()):
-        read_back(options.work)
+    if passed:
+        # Without a selection, both files have to be there.
+        if not options.tests or (options.work / scene.SAVED_MESH).exists():
+            check_saved_mesh(options.work)
+        if not options.tests or (options.work / scene.KEPT_CLOUD).exists():
+            check_kept_cloud(options.work)
     return 0 if passed and not left else 1
 
 
@@ -129,8 +133,8 @@ def keep_screenshots(work: Path, out: Path) -> None:
         shutil.copy(picture, out)
 
 
-def read_back(work: Path) -> None:
-    """Check, by PyMeshLab, what MeshLab saved. Raises AssertionError with what is not so."""
+def check_saved_mesh(work: Path) -> None:
+    """Read the result back by PyMeshLab. Raises AssertionError with what is not so."""
     document = pymeshlab.MeshSet(verbose=False)
     document.load_new_mesh(str(work / scene.SAVED_MESH))
     mesh = document.current_mesh()
@@ -140,6 +144,10 @@ def read_back(work: Path) -> None:
     assert topology["number_holes"] == 0, topology
     assert topology["connected_components_number"] == 1, topology
     print(f"read back by PyMeshLab: {mesh.vertex_number()} vertices, genus 0, closed")
+
+
+def check_kept_cloud(work: Path) -> None:
+    """Compare the layer that was refused, as saved afterwards, with the file it came from."""
     assert np.array_equal(vertices(work / scene.KEPT_CLOUD), vertices(work / scene.FEW))
     print("read back by PyMeshLab: the layer that was refused is as it was")
 
