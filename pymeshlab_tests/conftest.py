@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -10,8 +11,16 @@ import pymeshlab
 import pytest
 from numpy.typing import NDArray
 
+# PyMeshLab 2022.2, which the plugin can be built for, has older names for these.
+if not hasattr(pymeshlab.Mesh, "transform_matrix"):
+    pymeshlab.Mesh.transform_matrix = pymeshlab.Mesh.trasform_matrix
+    pymeshlab.MeshSet.mesh_number = pymeshlab.MeshSet.number_meshes
+
 ROOT = Path(__file__).resolve().parent.parent
-PLUGIN = ROOT / "build" / "pymeshlab" / "libfilter_neuralmesh.so"
+# Set for a plugin that was built for another version of PyMeshLab, with whose Python to test it.
+PLUGIN = Path(
+    os.environ.get("NEURALMESH_PLUGIN") or ROOT / "build" / "pymeshlab" / "libfilter_neuralmesh.so"
+)
 SAMPLE_MESHES = Path(pymeshlab.__file__).resolve().parent / "tests" / "sample_meshes"
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import pymeshlab
 import pytest
 from documents import (
+    FILTER,
     Points,
     assert_refused,
     document_of,
@@ -289,3 +290,12 @@ def test_a_layer_without_quality_is_refused(
         targetvertnum=10,
         densityfromquality=True,
     )
+
+
+def test_default_target_is_half_the_points_of_a_small_layer(plugin: Path) -> None:
+    assert reconstruct(document_of(sphere_points(201)))["vertices"] == 100
+
+
+def test_default_target_of_a_large_layer_is_the_general_one(plugin: Path) -> None:
+    values = document_of(sphere_points(10_001)).filter_parameter_values(FILTER)
+    assert values["targetvertnum"] == 5000

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -40,9 +42,13 @@ def test_there_is_a_python_snippet() -> None:
 def test_python_snippet_runs_as_printed(code: str, plugin: Path, tmp_path: Path) -> None:
     # In a folder of its own that shows the build, as the project's root does.
     (tmp_path / "build").symlink_to(plugin.parent.parent, target_is_directory=True)
+    # And with the Python package, put together as the wheel has it.
+    shutil.copytree(ROOT / "python", tmp_path / "python")
+    (tmp_path / "python/pymeshlab_neuralmesh/libfilter_neuralmesh.so").symlink_to(plugin)
     run = subprocess.run(
         [sys.executable, "-c", code],
         cwd=tmp_path,
+        env=os.environ | {"PYTHONPATH": str(tmp_path / "python")},
         capture_output=True,
         text=True,
         timeout=120,
@@ -61,7 +67,8 @@ def test_python_snippet_runs_as_printed(code: str, plugin: Path, tmp_path: Path)
 
 def defaults_of(filter_name: str) -> dict[str, str]:
     """Return a filter's parameters and their defaults as the README prints them."""
-    actual = document_of(sphere_points(10)).filter_parameter_values(filter_name)
+    # As many points as it takes for the general default of the target.
+    actual = document_of(sphere_points(10_000)).filter_parameter_values(filter_name)
     return {
         name: f"{value:.6g}" if isinstance(value, float) else str(value)
         for name, value in actual.items()

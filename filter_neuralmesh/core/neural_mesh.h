@@ -28,7 +28,8 @@ class NeuralFace : public vcg::Face<NeuralTypes, vcg::face::VertexRef, vcg::face
 
 class NeuralMesh : public vcg::tri::TriMesh<std::vector<NeuralVertex>, std::vector<NeuralFace>> {
 public:
-    const Point3 &position(VertexId v) const { return vert[v].cP(); }
+    // Not by cP(): before 2023, VCGlib's returns a copy, to which this would dangle.
+    const Point3 &position(VertexId v) const { return const_cast<NeuralVertex &>(vert[v]).P(); }
     Point3 &position(VertexId v) { return vert[v].P(); }
     const NeighbourRing &ring(VertexId v) const { return vert[v].cR(); }
     NeighbourRing &ring(VertexId v) { return vert[v].R(); }

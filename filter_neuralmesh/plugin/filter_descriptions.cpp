@@ -16,13 +16,14 @@ QString withReference(const QString &text)
 QString aboutReconstruction()
 {
     return withReference(
-        "Reconstructs a closed surface from points with a growing neural network: a tetrahedron "
-        "that is moved by random samples of the points and grows by vertex splits until it has "
-        "exactly the number of vertices asked for."
-        "<br>The points are those of the current layer, of its surface, or of all visible layers. "
-        "Needs no normals; the result is a closed two-manifold with even triangles; the running "
-        "time does not depend on the number of points. The result has the topology of a sphere, "
-        "or that of the layer that it starts from: open surfaces are closed.");
+        "Reconstructs a closed surface from points with a growing neural network: a tetrahedron is "
+        "moved by random samples of the points and grows by vertex splits until it has exactly the "
+        "number of vertices asked for."
+        "<br>For points without normals, with noise or in great number (the running time does not "
+        "depend on it), and where the number of vertices matters. The points are those of the "
+        "current layer, of its surface, or of all visible layers. The result is a closed "
+        "two-manifold with even triangles and the topology of a sphere, or of the layer that it "
+        "starts from: open surfaces are closed.");
 }
 
 QString aboutImplicitSurface()

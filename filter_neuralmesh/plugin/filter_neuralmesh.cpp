@@ -94,12 +94,16 @@ RichParameterList FilterNeuralMesh::initParameterList(const QAction *action,
 }
 
 std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *action,
-                                                              const RichParameterList &parameters,
+                                                              const RichParameterList &given,
                                                               MeshDocument &document,
                                                               unsigned int &postConditionMask,
                                                               vcg::CallBackPos *callback)
 {
     postConditionMask = MeshModel::MM_NONE;
+    // The desktop hands over only those parameters that a filter script names; the first of two of
+    // a name counts.
+    RichParameterList parameters = given;
+    parameters.join(initParameterList(action, document));
     try {
         switch (ID(action)) {
         case FromLayers:

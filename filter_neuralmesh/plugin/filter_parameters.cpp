@@ -66,13 +66,25 @@ void addGrowthParameters(RichParameterList &list)
                            advanced));
 }
 
-void addResultParameters(RichParameterList &list)
+// Growth has room to settle with two points a vertex; close to one it may not reach its target.
+// Up to 8 vertices are the cube with which hosts ask for the defaults without a document.
+int sensibleTarget(const MeshDocument &document)
 {
-    const neuralmesh::GrowthParameters d;
-    list.addParam(RichInt("TargetVertNum", d.targetVertexCount, "Target number of vertices",
+    constexpr int verticesOfHostsCube = 8;
+    const int general = neuralmesh::GrowthParameters().targetVertexCount;
+    const MeshModel *layer = document.mm();
+    if (layer == nullptr || layer->cm.vn <= verticesOfHostsCube)
+        return general;
+    return std::min(general, layer->cm.vn / 2);
+}
+
+void addResultParameters(RichParameterList &list, int targetVertexCount)
+{
+    list.addParam(RichInt("TargetVertNum", targetVertexCount, "Target number of vertices",
                           "Exact number of vertices of the result, at least 4 and at most the "
                           "number of distinct input points. A closed mesh of genus 0 has twice as "
-                          "many faces, less 4."));
+                          "many faces, less 4. By default 5000, or half the points of the current "
+                          "layer where that is less."));
 }
 
 void addCommonParameters(RichParameterList &list)
@@ -130,7 +142,7 @@ std::vector<int> readSnapshots(const RichParameterList &parameters)
 RichParameterList reconstructionParameters(const MeshDocument &document)
 {
     RichParameterList list;
-    addResultParameters(list);
+    addResultParameters(list, sensibleTarget(document));
     list.addParam(RichEnum("Source", static_cast<int>(Source::pointsOfLayer), sourceLabels(),
                            "Source",
                            "What is sampled: vertices, each as likely as any other, or faces, "
@@ -163,7 +175,7 @@ RichParameterList implicitParameters(const MeshDocument &document)
         list.addParam(RichFloat("min" + axis, -1, "Min " + axis, meaning));
     for (const QString axis : {"X", "Y", "Z"})
         list.addParam(RichFloat("max" + axis, 1, "Max " + axis, meaning));
-    addResultParameters(list);
+    addResultParameters(list, neuralmesh::GrowthParameters().targetVertexCount);
     addCommonParameters(list);
     addStartParameters(list, document);
     addGrowthParameters(list);
@@ -184,7 +196,7 @@ RichParameterList parametricParameters(const MeshDocument &document)
     list.addParam(RichFloat("maxU", 2 * pi, "Max U", range));
     list.addParam(RichFloat("minV", 0, "Min V", range));
     list.addParam(RichFloat("maxV", pi, "Max V", range));
-    addResultParameters(list);
+    addResultParameters(list, neuralmesh::GrowthParameters().targetVertexCount);
     addCommonParameters(list);
     addStartParameters(list, document);
     addGrowthParameters(list);

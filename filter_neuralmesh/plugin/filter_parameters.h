@@ -7,7 +7,8 @@
 
 #include "core/growth_parameters.h"
 
-/// What each filter's dialog and scripts offer, with the core's defaults. The document is that of
+/// What each filter's dialog and scripts offer, with the core's defaults; for reconstruction,
+/// TargetVertNum is at most half the points of the current layer. The document is also that of
 /// which a starting layer can be chosen.
 RichParameterList reconstructionParameters(const MeshDocument &document);
 RichParameterList implicitParameters(const MeshDocument &document);

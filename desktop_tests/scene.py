@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the desktop tests and the checks after them agree on: files, names and numbers."""
+
+from __future__ import annotations
+
+FILTER = "Neural Mesh Reconstruction"
+
+# Where MeshLab looks for plugins of a user, below the home folder.
+EXTRA_PLUGINS = ".local/share/VCG/MeshLab_64bit_fp/MeshLabExtraPlugins/2025.07"
+
+# Made by scripts/desktop/run.py, in the folder that both sides see.
+CLOUD = "bunny.ply"  # 28,088 points
+SMALL = "small.ply"
+SMALL_POINTS = 600
+FEW = "few.ply"
+FEW_POINTS = 3  # one too few
+EMPTYING_SCRIPT = "emptying.mlx"  # deletes the layer, then starts our filter
+SINGLE_PLUGIN = "single.so"
+DOUBLE_PLUGIN = "double.so"
+
+# Saved from the desktop, read back by PyMeshLab.
+TARGET = 1234  # a number that no default gives
+SAVED_MESH = "saved.ply"
+SAVED_PROJECT = "saved.mlp"
+KEPT_CLOUD = "kept.ply"  # what was refused, saved after the refusal
+SCREENSHOTS = "screenshots"

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Neural Mesh Reconstruction for PyMeshLab: importing this makes its filters methods of MeshSet.
+
+    import pymeshlab_neuralmesh as nm
+
+    ms = nm.MeshSet()
+    ms.load_new_mesh("cloud.ply")
+    result = ms.generate_surface_reconstruction_neural_mesh(targetvertnum=2000)
+
+`MeshSet` is PyMeshLab's own class; here type checkers know the methods that are added to it.
+`FILTERS` are the names of these. Importing raises ImportError if the PyMeshLab that is installed
+is not the version that the plugin was built for.
+"""
+
+from __future__ import annotations
+
+from ._binding import FILTERS, MeshSet
+
+__all__ = ["FILTERS", "MeshSet"]

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Loads the plugin into PyMeshLab and makes its filters methods of MeshSet.
+
+PyMeshLab binds methods of its own filters only, when it is imported itself, and without
+signatures. Names, texts and choices come from the plugin, defaults and types from PyMeshLab.
+"""
+
+from __future__ import annotations
+
+import importlib.metadata
+from pathlib import Path
+
+PLUGIN = Path(__file__).resolve().parent / "libfilter_neuralmesh.so"
+PACKAGE = "pymeshlab-neuralmesh"
+
+
+def require_version() -> None:
+    """Raise ImportError unless PyMeshLab is the version that the plugin was built for."""
+    try:
+        pins = importlib.metadata.requires(PACKAGE) or []
+    except importlib.metadata.PackageNotFoundError:
+        return  # while the package itself is being built, against the version that it pins
+    wanted = next(pin for pin in pins if pin.startswith("pymeshlab==")).removeprefix("pymeshlab==")
+    found = importlib.metadata.version("pymeshlab")
+    if found != wanted:
+        raise ImportError(
+            f"{PACKAGE} was built for pymeshlab {wanted}, and pymeshlab {found} is installed: "
+            f"run `pip install pymeshlab=={wanted}`, or build {PACKAGE} for {found}."
+        )
+
+
+require_version()
+
+# PyMeshLab comes second: a wrong version is to be named, not to fail in some way of its own.
+from pymeshlab import MeshSet, filter_list, load_plugin  # noqa: E402
+
+from ._documentation import FilterDocumentation, documentation  # noqa: E402
+
+
+def bind(filter_: FilterDocumentation) -> None:
+    """Make a filter a method of MeshSet."""
+    name = filter_.name
+
+    def method(self: MeshSet, **parameters: object) -> dict[str, object]:
+        return self.apply_filter(name, **parameters)
+
+    method.__name__ = name
+    method.__qualname__ = f"MeshSet.{name}"
+    method.__doc__ = filter_.docstring()
+    method.__signature__ = filter_.signature()  # type: ignore[attr-defined]
+    setattr(MeshSet, name, method)
+
+
+DOCUMENTATION = documentation(PLUGIN)
+FILTERS = tuple(filter_.name for filter_ in DOCUMENTATION)
+
+# The plugin may be among PyMeshLab's own already, by `cmake --install`.
+if not set(FILTERS) <= set(filter_list()):
+    load_plugin(str(PLUGIN))
+for described in DOCUMENTATION:
+    bind(described)
