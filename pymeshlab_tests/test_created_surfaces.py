@@ -95,7 +95,12 @@ def test_snapshots_are_layers_here_too(filter_name: str, mesh_set: pymeshlab.Mes
 
 def test_parameters_are_those_of_the_reconstruction_but_for_what_is_sampled() -> None:
     document = document_of(sphere_points(10))
-    common = set(document.filter_parameter_values(FILTER)) - {"source", "densityfromquality"}
+    common = set(document.filter_parameter_values(FILTER)) - {
+        "source",
+        "pointfile",
+        "densityfromquality",
+        "transferattributes",
+    }
     box = {"minx", "miny", "minz", "maxx", "maxy", "maxz"}
     ranges = {"minu", "maxu", "minv", "maxv"}
     assert set(document.filter_parameter_values(IMPLICIT)) == common | {"expr"} | box

@@ -100,6 +100,9 @@ def test_parameter_table_lists_all_parameters_with_their_defaults(plugin: Path) 
     assert printed == defaults_of(FILTER)
 
 
+OF_LAYERS_ONLY = {"source", "pointfile", "densityfromquality", "transferattributes"}
+
+
 @pytest.mark.parametrize(
     ("filter_name", "words"),
     [(IMPLICIT, "Of an implicit surface:"), (PARAMETRIC, "Of a parametric surface:")],
@@ -110,7 +113,7 @@ def test_tables_of_the_other_filters_list_what_they_have_of_their_own(
     text = section("Parameters of the other two filters").split(words)[1].split("\nOf a")[0]
     printed = {row[0].strip("`"): row[1] for row in table_rows(text)}
     shown = defaults_of(filter_name)
-    for common in set(defaults_of(FILTER)) - {"source", "pointfile", "densityfromquality"}:
+    for common in set(defaults_of(FILTER)) - OF_LAYERS_ONLY:
         del shown[common]
     assert printed == shown
 

@@ -159,9 +159,26 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
     log(summary(result));
     if (!target.remark.empty())
         log(target.remark);
-    const QString label = target.name + " neural mesh";
+    const bool withAttributes =
+        !target.attributes.layers.empty() && parameters.getBool("TransferAttributes");
+    // All that may fail comes before the document changes.
+    const auto attributesOf = [&](const neuralmesh::NeuralMesh &mesh) {
+        return withAttributes
+                   ? transferAttributes(target.attributes, mesh, frame, target.sampler->bounds())
+                   : Attributes{};
+    };
+    std::vector<Attributes> attributes;
     for (const auto &snapshot : result.snapshots)
-        addLayer(document, *snapshot, frame, label + " " + QString::number(snapshot->vn));
-    addLayer(document, result.mesh, frame, label);
+        attributes.push_back(attributesOf(*snapshot));
+    attributes.push_back(attributesOf(result.mesh));
+
+    const QString label = target.name + " neural mesh";
+    for (std::size_t i = 0; i < result.snapshots.size(); ++i) {
+        const neuralmesh::NeuralMesh &snapshot = *result.snapshots[i];
+        setAttributes(
+            addLayer(document, snapshot, frame, label + " " + QString::number(snapshot.vn)),
+            attributes[i]);
+    }
+    setAttributes(addLayer(document, result.mesh, frame, label), attributes.back());
     return resultValues(result);
 }

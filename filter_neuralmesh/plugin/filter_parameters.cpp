@@ -154,6 +154,10 @@ RichParameterList reconstructionParameters(const MeshDocument &document)
                                "(N by 3, float32 or float64), read in place. No layer is needed. "
                                "Colours and other properties of the file are not looked at."));
     addCommonParameters(list);
+    list.addParam(RichBool("TransferAttributes", true, "Transfer attributes",
+                           "Gives the result the vertex colours and quality of the input's layers, "
+                           "where they have any: averaged over the points nearest to each vertex. "
+                           "Those of a point file are not looked at."));
     addStartParameters(list, document);
     list.addParam(RichBool("DensityFromQuality", false, "Density from quality",
                            "Samples points in proportion to vertex quality, so that vertices go "

@@ -104,8 +104,8 @@ QString withoutDots(QString name)
     return name.replace('.', '_');
 }
 
-void addLayer(MeshDocument &document, const neuralmesh::NeuralMesh &network,
-              const neuralmesh::UnitFrame &frame, const QString &label)
+MeshModel &addLayer(MeshDocument &document, const neuralmesh::NeuralMesh &network,
+                    const neuralmesh::UnitFrame &frame, const QString &label)
 {
     CMeshO mesh;
     std::vector<std::size_t> places(network.vert.size());
@@ -126,5 +126,5 @@ void addLayer(MeshDocument &document, const neuralmesh::NeuralMesh &network,
         ++face;
     }
     // Updates the bounding box and the normals too.
-    document.addNewMesh(mesh, label, true);
+    return *document.addNewMesh(mesh, label, true);
 }

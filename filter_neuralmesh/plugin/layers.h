@@ -34,6 +34,7 @@ QString nameOf(const MeshModel &layer);
 QString withoutDots(QString name);
 
 /// Adds the network to the document as a new layer, current, with an identity matrix, in world
-/// coordinates, normals computed. The network needs its faces; the label must not have dots.
-void addLayer(MeshDocument &document, const neuralmesh::NeuralMesh &network,
-              const neuralmesh::UnitFrame &frame, const QString &label);
+/// coordinates, normals computed, its vertices in order of the network's ids. The network needs its
+/// faces; the label must not have dots.
+MeshModel &addLayer(MeshDocument &document, const neuralmesh::NeuralMesh &network,
+                    const neuralmesh::UnitFrame &frame, const QString &label);

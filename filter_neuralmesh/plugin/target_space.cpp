@@ -35,6 +35,7 @@ public:
 
     void add(const MeshModel &layer)
     {
+        layers_.push_back(&layer);
         const std::vector<vcg::Point3d> points = worldPoints(layer);
         points_.insert(points_.end(), points.begin(), points.end());
         if (!withDensity_)
@@ -49,11 +50,12 @@ public:
             points_,
             withDensity_ ? neuralmesh::densityFrom(std::move(qualities_)) : std::vector<double>());
         const std::string remark = outlierRemark(sampler->outlierShare());
-        return {std::move(sampler), name, remark};
+        return {std::move(sampler), name, remark, {layers_, false}};
     }
 
 private:
     bool withDensity_;
+    std::vector<const MeshModel *> layers_;
     std::vector<vcg::Point3d> points_;
     std::vector<double> qualities_;
 };
@@ -77,7 +79,8 @@ TargetSpace surfaceOfLayer(const MeshModel &layer, bool withDensity)
     return {std::make_unique<neuralmesh::SurfaceSampler>(worldPoints(layer), faceCorners(layer),
                                                          density),
             nameOf(layer),
-            {}};
+            {},
+            {{&layer}, true}};
 }
 
 TargetSpace pointsOfVisibleLayers(const MeshDocument &document, bool withDensity)
@@ -111,8 +114,10 @@ TargetSpace pointFile(const QString &path, bool withDensity, const neuralmesh::P
     auto sampler = std::make_unique<neuralmesh::PointFileSampler>(encoded, progress);
     const std::string remark = outlierRemark(sampler->outlierShare());
     const QString name = QFileInfo(path).completeBaseName();
-    return {std::move(sampler), withoutDots(name.isEmpty() ? QFileInfo(path).fileName() : name),
-            remark};
+    return {std::move(sampler),
+            withoutDots(name.isEmpty() ? QFileInfo(path).fileName() : name),
+            remark,
+            {}};
 }
 
 } // namespace
@@ -146,6 +151,7 @@ TargetSpace makeImplicitSurface(const RichParameterList &parameters)
     return {
         std::make_unique<neuralmesh::ImplicitSampler>(expression(parameters, "expr", "xyz"), box),
         "implicit surface",
+        {},
         {}};
 }
 
@@ -160,5 +166,6 @@ TargetSpace makeParametricSurface(const RichParameterList &parameters)
                                                       expression(parameters, "z", "uv")},
                 u, v),
             "parametric surface",
+            {},
             {}};
 }

@@ -7,6 +7,7 @@
 #include <common/ml_document/mesh_document.h>
 #include <common/parameters/rich_parameter_list.h>
 
+#include "attributes.h"
 #include "core/progress.h"
 #include "core/sampler.h"
 
@@ -17,6 +18,8 @@ struct TargetSpace {
     QString name;
     /// A line for the log; empty where there is nothing to remark.
     std::string remark;
+    /// Whose attributes the result may take; no layers where there are none.
+    AttributeSource attributes;
 };
 
 /// Values of the parameter Source, in the order of its labels.

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vertex colour and quality of the input's layers on the result.
+#pragma once
+
+#include <vector>
+
+#include <common/ml_document/mesh_document.h>
+
+#include "core/attribute_transfer.h"
+#include "core/unit_frame.h"
+
+/// Layers whose attributes the result may take: those of their vertices, or of places all over
+/// their faces, between the vertices' values.
+struct AttributeSource {
+    std::vector<const MeshModel *> layers;
+    bool onFaces = false;
+};
+
+/// Of the live vertices of a network, in order of their ids. Empty values: nothing to transfer.
+struct Attributes {
+    bool hasColour = false;
+    bool hasQuality = false;
+    std::vector<neuralmesh::AttributeValues> values;
+};
+
+/// Averages the layers' colours and qualities onto the network's vertices, as far as any layer has
+/// them. Looks at a bounded number of points for each vertex, whatever the layers' size.
+Attributes transferAttributes(const AttributeSource &source, const neuralmesh::NeuralMesh &network,
+                              const neuralmesh::UnitFrame &frame, const neuralmesh::Box3 &bounds);
+
+/// Gives the attributes to the layer made of the same network.
+void setAttributes(MeshModel &layer, const Attributes &attributes);
