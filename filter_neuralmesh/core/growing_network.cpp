@@ -28,6 +28,15 @@ constexpr int webVertices = 1000;
 /// Tears mended at a time: each search costs as much as one for webs.
 constexpr int mostTears = 8;
 
+/// Vertices from which the network tells whether the target space is open: all limbs are found by
+/// then, and webs not yet taken out.
+constexpr int judgedVertices = 800;
+
+/// Share of the mesh's area that is far from all samples, at that size, from which the target space
+/// is taken for an open surface, whose closing sheet must stay. Measured: a scan of one side 0.39
+/// to 0.42; limbs and folds that are not parted yet 0.02 to 0.17.
+constexpr double shareOfOpenSurface = 0.25;
+
 /// How far around a sample other sheets are looked for, in mean lengths of the winner's edges.
 constexpr Scalar sheetDistance = 0.8;
 
@@ -279,16 +288,28 @@ int GrowingNetwork::collapseInactive(const SampleSupport &support)
 int GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const SampleSupport &support)
 {
     const int before = vertexCount();
+    judgeOpenness(support);
     for (const VertexId v : vertices)
         if (const VertexId into = bestCollapse(mesh_, v); into != noVertex)
             remove(v, into);
-    retractWebs(mesh_, support);
-    if (parameters_.splitRule == SplitRule::balanced && vertexCount() >= webVertices) {
-        removeWebs(support);
-        mendTears(support);
+    if (!isOpen_) {
+        retractWebs(mesh_, support);
+        if (parameters_.splitRule == SplitRule::balanced && vertexCount() >= webVertices) {
+            removeWebs(support);
+            mendTears(support);
+        }
     }
     updateDecay();
     return before - vertexCount();
+}
+
+/// Once. Webs of an open surface are its closing sheet, and would be laid onto its other side.
+void GrowingNetwork::judgeOpenness(const SampleSupport &support)
+{
+    if (isJudged_ || vertexCount() < judgedVertices)
+        return;
+    isOpen_ = unsupportedShare(mesh_, support) > shareOfOpenSurface;
+    isJudged_ = true;
 }
 
 void GrowingNetwork::removeWebs(const SampleSupport &support)

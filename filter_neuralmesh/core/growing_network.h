@@ -99,6 +99,7 @@ private:
     Scalar voronoiArea(VertexId v) const;
     bool isInactive(VertexId v) const;
     void remove(VertexId v, VertexId into);
+    void judgeOpenness(const SampleSupport &support);
     void removeWebs(const SampleSupport &support);
     void mendTears(const SampleSupport &support);
     void enrol(VertexId v);
@@ -116,6 +117,10 @@ private:
     std::uint64_t signals_ = 0;
     std::uint64_t lastCollapse_ = 0;
     VertexId lastWinner_ = noVertex;
+    bool isJudged_ = false; ///< whether isOpen_ is known
+    /// Whether the target space is an open surface, one side of which must be spanned by a sheet
+    /// that no sample supports.
+    bool isOpen_ = false;
 };
 
 } // namespace neuralmesh

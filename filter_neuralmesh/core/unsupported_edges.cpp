@@ -2,9 +2,12 @@
 #include "unsupported_edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "face_table.h"
 #include "ring_topology.h"
+#include "triangle.h"
 
 namespace neuralmesh {
 namespace {
@@ -16,6 +19,9 @@ constexpr Scalar overlongRatio = 2.5;
 /// the edge. On a surface, the height of the arc over an edge is far less; across a gap it is half
 /// the edge or more.
 constexpr Scalar supportDistance = 0.3;
+
+/// A face is unsupported where no sample is nearer to its centre, in lengths of its edge.
+constexpr Scalar farFromFace = 0.5;
 
 /// A flip must shorten by this factor to count as progress.
 constexpr Scalar shortening = 0.8;
@@ -134,6 +140,24 @@ bool isSupported(const NeuralMesh &mesh, const SampleSupport &support, VertexId 
 {
     const Point3 middle = (mesh.position(v) + mesh.position(u)) / 2;
     return support.hasWithin(middle, supportDistance * distance(mesh, v, u));
+}
+
+double unsupportedShare(const NeuralMesh &mesh, const SampleSupport &support)
+{
+    double all = 0;
+    double unsupported = 0;
+    const FaceTable faces(mesh);
+    for (FaceId face = 0; face < faces.size(); ++face) {
+        const Corners &c = faces.corners(face);
+        const Triangle t{mesh.position(c[0]), mesh.position(c[1]), mesh.position(c[2])};
+        const Scalar faceArea = area(t);
+        all += faceArea;
+        // Of an equilateral triangle of that area.
+        const Scalar edge = std::sqrt(faceArea * 4 / std::sqrt(Scalar(3)));
+        if (!support.hasWithin((t.a + t.b + t.c) / 3, farFromFace * edge))
+            unsupported += faceArea;
+    }
+    return all > 0 ? unsupported / all : 0;
 }
 
 Scalar localSpacing(const NeuralMesh &mesh, VertexId v)

@@ -18,6 +18,10 @@ namespace neuralmesh {
 /// its length.
 bool isSupported(const NeuralMesh &mesh, const SampleSupport &support, VertexId v, VertexId u);
 
+/// Share of the mesh's area whose faces are far from all samples: of a web, or of the sheet that
+/// closes an open surface.
+double unsupportedShare(const NeuralMesh &mesh, const SampleSupport &support);
+
 /// Spacing of the vertices around v: the mean length of its three shortest edges, which stays true
 /// where up to half of the star is a web.
 Scalar localSpacing(const NeuralMesh &mesh, VertexId v);

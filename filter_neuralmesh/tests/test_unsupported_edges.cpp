@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/face_table.h"
 #include "core/mesh_checks.h"
 #include "meshes_for_tests.h"
 
@@ -106,6 +107,24 @@ TEST(UnsupportedEdges, spacing_is_that_of_the_three_shortest_edges)
     test::makeOctahedron(mesh);
     mesh.position(2) = {0, 100, 0}; // one of the four neighbours of 0
     EXPECT_NEAR(localSpacing(mesh, 0), std::sqrt(2.0), 1e-12);
+}
+
+TEST(UnsupportedEdges, the_unsupported_share_is_that_of_the_area_without_samples)
+{
+    NeuralMesh mesh;
+    test::makeTorus(mesh, 40, 20);
+    std::vector<Point3> samples;
+    Box3 bounds;
+    const FaceTable faces(mesh);
+    for (FaceId face = 0; face < faces.size(); ++face) {
+        const Corners &c = faces.corners(face);
+        const Point3 centre = (mesh.position(c[0]) + mesh.position(c[1]) + mesh.position(c[2])) / 3;
+        bounds.Add(centre);
+        if (centre.X() > 0)
+            samples.push_back(centre);
+    }
+    // Of the 40 sections round the axis, the two at the border may count for either side.
+    EXPECT_NEAR(unsupportedShare(mesh, SampleSupport(bounds, samples)), 0.5, 0.05);
 }
 
 } // namespace
