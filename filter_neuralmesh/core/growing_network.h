@@ -81,6 +81,10 @@ public:
     /// Whether the next collapseInactive() is due: μ·n signals after the last.
     bool collapseIsDue() const;
 
+    /// Whether the target space was found to be an open surface, from a share of the mesh that no
+    /// sample supports. Then webs are left alone: one is the sheet that closes it.
+    bool isOpenSurface() const { return isOpen_; }
+
 private:
     /// What smoothing needs of a vertex.
     struct Neighbourhood {
@@ -118,8 +122,6 @@ private:
     std::uint64_t lastCollapse_ = 0;
     VertexId lastWinner_ = noVertex;
     bool isJudged_ = false; ///< whether isOpen_ is known
-    /// Whether the target space is an open surface, one side of which must be spanned by a sheet
-    /// that no sample supports.
     bool isOpen_ = false;
 };
 

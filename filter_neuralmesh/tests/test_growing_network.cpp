@@ -110,5 +110,35 @@ TEST(GrowingNetwork, never_collapses_below_a_tetrahedron)
     EXPECT_EQ(network.vertexCount(), 4);
 }
 
+/// Whether a torus of 1,000 vertices is taken for an open surface when there are samples where x is
+/// above `from` only.
+bool isOpenWithSamplesFrom(Scalar from)
+{
+    NeuralMesh mesh;
+    test::makeTorus(mesh, 50, 20);
+    std::vector<Point3> samples;
+    Box3 bounds;
+    for (const NeuralVertex &vertex : mesh.vert) {
+        bounds.Add(vertex.cP());
+        if (vertex.cP().X() > from)
+            samples.push_back(vertex.cP());
+    }
+    GrowingNetwork network(mesh, bounds, GrowthParameters{});
+    network.collapse({}, SampleSupport(bounds, samples));
+    EXPECT_EQ(findDefect(mesh), "");
+    return network.isOpenSurface();
+}
+
+TEST(GrowingNetwork, a_large_part_without_samples_makes_an_open_surface)
+{
+    EXPECT_TRUE(isOpenWithSamplesFrom(0)); // half of the torus
+}
+
+TEST(GrowingNetwork, a_web_does_not)
+{
+    EXPECT_FALSE(isOpenWithSamplesFrom(-2.5)); // beyond lies about a tenth
+    EXPECT_FALSE(isOpenWithSamplesFrom(-4));   // nothing
+}
+
 } // namespace
 } // namespace neuralmesh
