@@ -16,6 +16,9 @@ PARAMETRIC = "create_neural_mesh_from_parametric_surface"
 
 Points = NDArray[np.float64]
 
+# Its name up to 2022.2.
+Percentage = getattr(pymeshlab, "PercentageValue", None) or pymeshlab.Percentage
+
 
 def document_of(points: ArrayLike, label: str = "cloud") -> pymeshlab.MeshSet:
     """Return a document with one layer: the points, shape (n, 3), n at least 1."""

@@ -10,6 +10,7 @@ import pymeshlab
 import pytest
 from documents import (
     FILTER,
+    Percentage,
     Points,
     assert_refused,
     document_of,
@@ -71,7 +72,7 @@ def test_uneven_vertices_make_no_difference_to_a_surface() -> None:
     document.create_sphere(radius=1.0, subdiv=4)
     document.compute_selection_by_condition_per_face(condselect="z0 > 0 && z1 > 0 && z2 > 0")
     document.meshing_surface_subdivision_midpoint(
-        iterations=3, threshold=pymeshlab.PercentageValue(0), selected=True
+        iterations=3, threshold=Percentage(0), selected=True
     )
     shares = []
     for source in (POINTS, SURFACE):

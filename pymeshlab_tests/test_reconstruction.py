@@ -10,6 +10,7 @@ import pymeshlab
 import pytest
 from documents import (
     FILTER,
+    Percentage,
     Points,
     document_of,
     mesh_from,
@@ -93,7 +94,7 @@ def test_bunny_lies_near_its_surface_and_does_not_cross_itself(
         sampleedge=False,
         sampleface=True,
         samplenum=100_000,
-        maxdist=pymeshlab.PercentageValue(100),
+        maxdist=Percentage(100),
     )
     assert distance["n_samples"] >= 100_000
     # Growth alone reaches 0.12 % (issue 2).

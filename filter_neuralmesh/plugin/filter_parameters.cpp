@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/errors.h"
+#include "host_versions.h"
 #include "target_space.h"
 
 namespace {
