@@ -15,6 +15,8 @@ SMALL_POINTS = 600
 FEW = "few.ply"
 FEW_POINTS = 3  # one too few
 EMPTYING_SCRIPT = "emptying.mlx"  # deletes the layer, then starts our filter
+# The filter scripts of scripts/examples, with the vertices that each asks for.
+EXAMPLE_SCRIPTS = {"neural_mesh.mlx": 3000, "clean_reconstruct_colour.mlx": 2000}
 SINGLE_PLUGIN = "single.so"
 DOUBLE_PLUGIN = "double.so"
 

@@ -7,10 +7,12 @@ import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 from meshlab import MeshLab
 from scene import (
     CLOUD,
     EMPTYING_SCRIPT,
+    EXAMPLE_SCRIPTS,
     FEW,
     FILTER,
     KEPT_CLOUD,
@@ -58,6 +60,20 @@ def test_apply_adds_a_layer_that_can_be_saved(
     meshlab.save_project(work / SAVED_PROJECT)
     layers = ET.parse(work / SAVED_PROJECT).getroot().iter("MLMesh")
     assert [layer.get("label") for layer in layers] == ["bunny.ply", "bunny neural mesh"]
+
+
+@pytest.mark.parametrize(("script", "vertices"), EXAMPLE_SCRIPTS.items())
+def test_example_script_runs(
+    script: str, vertices: int, start_meshlab: Callable[..., MeshLab], work: Path
+) -> None:
+    meshlab = start_meshlab(CLOUD)
+    meshlab.wait_until_open()
+    meshlab.run_script(work / script)
+    meshlab.wait_for_layers("bunny", "bunny neural mesh")
+    figures = meshlab.wait_for_log(r"Neural mesh: (\d+) vertices")
+    assert int(figures[1]) == vertices
+    last = ET.parse(work / script).getroot().findall("filter")[-1].get("name")
+    meshlab.wait_for_log(f"Re-Applied filter {last}")
 
 
 def test_refusal_shows_a_sentence_and_leaves_the_document_as_it_was(

@@ -118,9 +118,14 @@ def test_script_cleans_reconstructs_and_transfers_colour(sample_meshes: Path):
     points, colours = cloud.vertex_matrix(), cloud.vertex_color_matrix()[:, :3]
     for vertex in range(0, 2000, 100):
         distances = np.linalg.norm(points - mesh.vertex_matrix()[vertex], axis=1)
-        near = colours[distances <= 1.0001 * distances.min()]
+        # A mean of the points that are nearest to this vertex, two on average, or of those of its
+        # neighbours: a mixture of colours around, to half a step of 1/255.
+        near = colours[np.argsort(distances)[:40]]
         found = mesh.vertex_color_matrix()[vertex, :3]
-        assert np.abs(near - found).max(axis=1).min() < 1e-6, vertex
+        assert (found >= near.min(axis=0) - 1 / 255).all(), vertex
+        assert (found <= near.max(axis=0) + 1 / 255).all(), vertex
+    # They are the scan's colours, not one for all.
+    assert mesh.vertex_color_matrix()[:, :3].std(axis=0).min() > 0.05
 
 
 def parameter_types(script: Path) -> dict[tuple[str, str], str]:

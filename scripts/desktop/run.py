@@ -62,6 +62,8 @@ def prepare(work: Path, plugin: Path) -> None:
     shutil.copy(plugin, work / scene.SINGLE_PLUGIN)
     shutil.copy(ROOT / "build/pymeshlab/libfilter_neuralmesh.so", work / scene.DOUBLE_PLUGIN)
     (work / scene.EMPTYING_SCRIPT).write_text(SCRIPT, encoding="utf-8")
+    for script in scene.EXAMPLE_SCRIPTS:
+        shutil.copy(ROOT / "scripts/examples" / script, work / script)
     samples = Path(pymeshlab.__file__).resolve().parent / "tests" / "sample_meshes"
     bunny = pymeshlab.MeshSet(verbose=False)
     bunny.load_new_mesh(str(samples / "bunny.obj"))

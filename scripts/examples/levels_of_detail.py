@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Levels of detail of the bunny, each with an exact number of vertices, into out/lod."""
+"""Levels of detail of the bunny from one run, each of an exact size, into out/lod."""
 
 from pathlib import Path
 
@@ -14,12 +14,13 @@ samples = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"
 
 ms = pymeshlab.MeshSet(verbose=False)
 ms.load_new_mesh(str(samples / "bunny.obj"))
-cloud = ms.current_mesh_id()
+*coarser, finest = LEVELS
+ms.apply_filter(FILTER, targetvertnum=finest, snapshots=",".join(map(str, coarser)))
+
 out = Path("out/lod")
 out.mkdir(parents=True, exist_ok=True)
-for vertices in LEVELS:
-    ms.set_current_mesh(cloud)  # the layer whose points are reconstructed
-    result = ms.apply_filter(FILTER, targetvertnum=vertices)
-    path = out / f"bunny_{vertices}.ply"
+for layer in list(ms)[1:]:  # all but the cloud, coarsest first
+    ms.set_current_mesh(layer.id())
+    path = out / f"bunny_{layer.vertex_number()}.ply"
     ms.save_current_mesh(str(path))
-    print(f"{path}: {result['vertices']} vertices, RMS error {result['rms_error']:.5f}")
+    print(f"{path}: {layer.vertex_number()} vertices, {layer.face_number()} faces")
