@@ -7,7 +7,7 @@
     benchmark.py --speed                          time, as a ratio, in one process
     benchmark.py --batch                          throughput of scripts/batch.py, two workers to one
     benchmark.py --file                           time and memory on a file of 100,000,000 points
-    benchmark.py --quality --summary              what was asked, what was measured
+    benchmark.py --quality --summary              an overview; what was asked, what was measured
     benchmark.py --quality --models bunny --ours splitrule=1 --ours smoothingpasses=3
                                                   more rows of ours, with other parameters
 
@@ -102,7 +102,9 @@ def parse_arguments() -> argparse.Namespace:
     quality.add_argument("--fresh", action="store_true", help="measure cached rows again")
     quality.add_argument("--keep", type=Path, metavar="DIR", help="keep the meshes that are run")
     quality.add_argument("--json", type=Path, metavar="FILE", help="write all rows")
-    quality.add_argument("--summary", action="store_true", help="asked and measured, a line each")
+    quality.add_argument(
+        "--summary", action="store_true", help="an overview, and asked and measured"
+    )
     options = parser.parse_args()
     if not (options.quality or options.speed or options.batch or options.file):
         parser.error("nothing to measure: give --quality, --speed, --batch or --file")
@@ -188,6 +190,7 @@ def run_quality(options: argparse.Namespace) -> int:
                     print(report.group_markdown(group, done), flush=True)
                 rows += done
     if options.summary:
+        print(f"\n## Overview\n{report.overview_markdown(rows)}")
         print(f"\n## Asked and measured\n\n{bars.bars_markdown(bars.all_bars(rows))}")
     if options.json:
         options.json.parent.mkdir(parents=True, exist_ok=True)

@@ -83,6 +83,28 @@ def ratio_text(row: Row, peer: Row | None) -> str:
     return f"{row.values['rms_to_mesh'] / peer.values['rms_to_mesh']:.2f}"
 
 
+def overview_markdown(rows: list[Row]) -> str:
+    """RMS to mesh / to surface of every method, a table a condition, a row a model and seed."""
+    methods = list(dict.fromkeys(row.method for row in rows))
+    lines = []
+    for condition in dict.fromkeys(row.group.condition for row in rows):
+        lines.append(f"\n### {CONDITIONS[condition].label}: RMS to mesh / to surface, %\n")
+        lines.append(f"| model | {' | '.join(methods)} |")
+        lines.append("|---|" + "--:|" * len(methods))
+        of_condition = [row for row in rows if row.group.condition == condition]
+        for group in dict.fromkeys(row.group for row in of_condition):
+            found = {row.method: row for row in of_condition if row.group == group}
+            cells = [_both_ways(found.get(method)) for method in methods]
+            lines.append(f"| {group.model} | {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def _both_ways(row: Row | None) -> str:
+    if row is None or row.failed:
+        return "–"
+    return f"{row.values['rms_to_mesh']:.3f} / {row.values['rms_to_surface']:.3f}"
+
+
 def why_these(names: Iterable[str]) -> str:
     """One line a model: why it is in the table."""
     return "\n".join(f"- {name}: {models.MODELS[name].why}" for name in names)
