@@ -56,6 +56,9 @@ constexpr std::size_t censusPerVertex = 10;
 /// Samples for each vertex that tell where the target space is, when webs are looked for.
 constexpr int supportPerVertex = 12;
 constexpr int supportPerVertexOfPaper = 6; // whole webs are not looked for there
+/// Points for each vertex that tell as much as any number of samples. Where there are fewer, a
+/// sample counts as near from further away: their spacing grows as the root of their number falls.
+constexpr double pointsPerVertex = 5;
 
 /// Growth has come to a stop where it gains less than this share of its vertices...
 constexpr double leastGain = 0.05;
@@ -111,6 +114,7 @@ public:
         report_.maxError = error.largest;
         report_.signalCount = network_.signals();
         report_.reachedTarget = isComplete();
+        report_.keptIdle = isCrowded_;
         return report_;
     }
 
@@ -121,10 +125,11 @@ private:
     {
         countAtCheck_ = network_.vertexCount();
         signalsAtCheck_ = network_.signals();
-        while (!isComplete() && !hasStagnated()) {
+        while (!isComplete()) {
             learnBatch();
             splitMostActive(batch_.size() / signalsPerSplit());
-            if (network_.collapseIsDue())
+            isCrowded_ = isCrowded_ || hasStagnated();
+            if (!isCrowded_ && network_.collapseIsDue())
                 collapseInactive();
         }
     }
@@ -134,10 +139,10 @@ private:
     /// which the network grows by a fifth: the latest misplaced vertices are still there.
     void consolidate()
     {
-        for (int round = 0; round < consolidationRounds && isComplete(); ++round) {
+        for (int round = 0; round < consolidationRounds && !isCrowded_; ++round) {
             const std::vector<VertexId> idle = idleVertices();
-            const SampleSupport support(sampler_.bounds(), batch_);
-            report_.collapseCount += static_cast<std::uint64_t>(network_.collapse(idle, support));
+            report_.collapseCount +=
+                static_cast<std::uint64_t>(network_.collapse(idle, supportOfBatch()));
             if (isComplete())
                 return;
             growToTarget();
@@ -285,8 +290,14 @@ private:
         const int perVertex =
             parameters_.splitRule == SplitRule::paper ? supportPerVertexOfPaper : supportPerVertex;
         drawBatch(static_cast<std::size_t>(perVertex * network_.vertexCount()));
-        report_.collapseCount += static_cast<std::uint64_t>(
-            network_.collapseInactive(SampleSupport(sampler_.bounds(), batch_)));
+        report_.collapseCount +=
+            static_cast<std::uint64_t>(network_.collapseInactive(supportOfBatch()));
+    }
+
+    SampleSupport supportOfBatch() const
+    {
+        const double points = static_cast<double>(sampler_.pointCount()) / network_.vertexCount();
+        return {sampler_.bounds(), batch_, std::sqrt(std::max(1.0, pointsPerVertex / points))};
     }
 
     bool hasStagnated()
@@ -323,6 +334,8 @@ private:
     std::size_t snapshotsTaken_ = 0;
     double countAtCheck_ = 0;
     std::uint64_t signalsAtCheck_ = 0;
+    /// Whether there are too few points for each vertex to win one. Then idle vertices are kept.
+    bool isCrowded_ = false;
 };
 
 void requireEnoughPoints(const Sampler &sampler, int target)

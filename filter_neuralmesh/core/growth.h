@@ -20,6 +20,7 @@ struct GrowthReport {
     std::uint64_t splitCount = 0;
     std::uint64_t collapseCount = 0;
     bool reachedTarget = false;
+    bool keptIdle = false; ///< vertices that win no sample, for want of points
     /// Distances of fresh samples from the result, in the unit frame.
     double rmsError = 0;
     double maxError = 0;
@@ -43,9 +44,9 @@ using SnapshotTaker = std::function<void(std::unique_ptr<NeuralMesh> snapshot)>;
 /// the result. Where the result is fitted to the surface, so are they, each as if it were the
 /// result; where not, they are the network as it is on the way.
 ///
-/// Always ends: where splits and collapses come to balance each other before the target is
-/// reached, as happens when the target is close to the number of distinct points, growth stops
-/// with what it has and reports reachedTarget = false.
+/// Always ends at the target: where splits and collapses come to balance each other before, as
+/// happens when the target is close to the number of distinct points, vertices are no longer
+/// removed, and the report's keptIdle is true.
 ///
 /// Throws InvalidInput for parameters out of range, a target above the number of distinct points,
 /// and a target or a snapshot with fewer vertices than the starting mesh; Cancelled when `progress`

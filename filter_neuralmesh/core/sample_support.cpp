@@ -3,8 +3,9 @@
 
 namespace neuralmesh {
 
-SampleSupport::SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples)
-    : samples_(samples), grid_(bounds)
+SampleSupport::SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples,
+                             Scalar widening)
+    : samples_(samples), grid_(bounds), widening_(widening)
 {
     for (std::size_t i = 0; i < samples_.size(); ++i)
         grid_.insert(static_cast<VertexId>(i), samples_[i]);
@@ -12,7 +13,7 @@ SampleSupport::SampleSupport(const Box3 &bounds, const std::vector<Point3> &samp
 
 bool SampleSupport::hasWithin(const Point3 &place, Scalar radius) const
 {
-    return grid_.hasWithin(place, radius);
+    return grid_.hasWithin(place, widening_ * radius);
 }
 
 } // namespace neuralmesh

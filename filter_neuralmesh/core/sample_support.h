@@ -11,10 +11,11 @@ namespace neuralmesh {
 
 class SampleSupport {
 public:
-    /// Needs at least one sample.
-    SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples);
+    /// Needs at least one sample. Where even all points of the target space are sparse, `widening`
+    /// makes up for it.
+    SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples, Scalar widening = 1);
 
-    /// Whether a sample lies within the radius.
+    /// Whether a sample lies within the radius, times the widening.
     bool hasWithin(const Point3 &place, Scalar radius) const;
 
     const Point3 &nearest(const Point3 &place) const { return samples_[grid_.nearest(place)]; }
@@ -26,6 +27,7 @@ public:
 private:
     std::vector<Point3> samples_;
     VertexGrid grid_;
+    Scalar widening_;
 };
 
 } // namespace neuralmesh

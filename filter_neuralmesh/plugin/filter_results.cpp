@@ -51,9 +51,9 @@ std::string summary(const Reconstruction &result)
                   static_cast<double>(result.growth.collapseCount),
                   static_cast<double>(result.seed), result.seconds);
     std::string text = figures;
-    if (!result.growth.reachedTarget)
-        text += " TargetVertNum was not reached: splits and collapses came to balance each other. "
-                "Either the target is close to the number of points, or InactivityFactor or "
+    if (result.growth.keptIdle)
+        text += " To reach TargetVertNum, vertices were kept that are nearest to no sample. Either "
+                "the target is close to the number of points, or InactivityFactor or "
                 "SignalsPerSplit is too low.";
     return text;
 }

@@ -23,5 +23,5 @@ struct Reconstruction {
 /// passes on: int, bool, double and vectors.
 std::map<std::string, QVariant> resultValues(const Reconstruction &result);
 
-/// Plain text: figures, and why growth stopped where it did not reach its target.
+/// Plain text: figures, and whether idle vertices were kept.
 std::string summary(const Reconstruction &result);

@@ -130,14 +130,28 @@ TEST(Growth, refuses_a_target_above_the_distinct_points_and_names_the_most)
     }
 }
 
-TEST(Growth, ends_and_tells_the_truth_when_the_target_is_as_many_as_the_points)
+TEST(Growth, makes_as_many_vertices_as_there_are_points)
 {
     const PointCloudSampler sampler(test::spherePoints(300, 1));
     NeuralMesh mesh;
     const GrowthReport report = grow(mesh, sampler, withTarget(300));
     validate(mesh);
-    EXPECT_EQ(report.reachedTarget, mesh.vn == 300);
-    EXPECT_GE(mesh.vn, 150);
+    EXPECT_EQ(mesh.vn, 300);
+    EXPECT_TRUE(report.reachedTarget);
+}
+
+TEST(Growth, keeps_idle_vertices_only_where_it_comes_to_a_stop)
+{
+    // Removing every vertex that did not win within 2n samples, growth by one in 100 samples has
+    // its balance far below 300 vertices.
+    GrowthParameters parameters = withTarget(300);
+    const PointCloudSampler sampler(densePointsOnSphere());
+    NeuralMesh mesh;
+    EXPECT_FALSE(grow(mesh, sampler, parameters).keptIdle);
+    parameters.inactivityFactor = 2;
+    NeuralMesh another;
+    EXPECT_TRUE(grow(another, sampler, parameters).keptIdle);
+    EXPECT_EQ(another.vn, 300);
 }
 
 TEST(Growth, stops_when_progress_says_so)

@@ -91,6 +91,9 @@ TEST(UnsupportedEdges, an_edge_is_supported_by_a_sample_near_its_middle)
     bounds.Add({1, 1, 1});
     EXPECT_TRUE(isSupported(mesh, SampleSupport(bounds, {{0.5, 0.5, 0.4}}), 0, 2));
     EXPECT_FALSE(isSupported(mesh, SampleSupport(bounds, {{0.5, 0.5, 0.5}}), 0, 2));
+    const Scalar widening = 1.3;
+    EXPECT_TRUE(isSupported(mesh, SampleSupport(bounds, {{0.5, 0.5, 0.5}}, widening), 0, 2));
+    EXPECT_FALSE(isSupported(mesh, SampleSupport(bounds, {{0.5, 0.5, 0.6}}, widening), 0, 2));
 }
 
 TEST(UnsupportedEdges, an_edge_across_the_gap_is_overlong_and_one_along_a_post_is_not)
