@@ -5,13 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "annulus_triangulation.h"
 #include "filling_cost.h"
 #include "handle_loop.h"
 #include "mesh_checks.h"
 #include "ring_surgery.h"
 #include "ring_topology.h"
-#include "unsupported_patches.h"
+#include "stump_bridge.h"
 
 namespace neuralmesh {
 namespace {
@@ -19,9 +18,6 @@ namespace {
 /// The smallest stump, in faces, and the longest rim of one, for time.
 constexpr std::size_t leastFaces = 3;
 constexpr std::size_t longestRim = 150;
-/// Band and samples must come so much nearer to each other than the stumps were, in squared
-/// distance.
-constexpr double leastGain = 0.5;
 /// Of what the bridge gains, the two ends of the cut may cost so much.
 constexpr double mostCostOfCut = 0.5;
 /// Bridges tried, the best first.
@@ -30,10 +26,10 @@ constexpr std::size_t mostTried = 4;
 constexpr std::size_t mostRoots = 48;
 constexpr std::size_t longestLoop = 60;
 
-struct Bridge {
-    std::size_t first, second; ///< patches
-    std::vector<std::pair<int, int>> rungs;
-    double gain;
+/// Two stumps and the bridge between them.
+struct Pair {
+    std::size_t first, second;
+    Bridge bridge;
 };
 
 struct Cut {
@@ -75,136 +71,64 @@ public:
     std::optional<TearChanges> run()
     {
         const FaceTable faces(mesh_);
-        findPatches(faces);
-        std::vector<Bridge> bridges;
-        for (std::size_t i = 0; i < patches_.size(); ++i)
-            for (std::size_t j = i + 1; j < patches_.size(); ++j)
-                if (mayFace(i, j))
-                    if (std::optional<Bridge> bridge = betterBridge(faces, i, j))
-                        bridges.push_back(std::move(*bridge));
-        std::stable_sort(bridges.begin(), bridges.end(),
-                         [](const Bridge &a, const Bridge &b) { return a.gain > b.gain; });
-        for (std::size_t i = 0; i < bridges.size() && i < mostTried; ++i)
-            if (std::optional<TearChanges> changes = mend(bridges[i]))
+        findStumps(faces);
+        std::vector<Pair> pairs;
+        for (std::size_t i = 0; i < stumps_.size(); ++i)
+            for (std::size_t j = i + 1; j < stumps_.size(); ++j)
+                if (mayFace(stumps_[i], stumps_[j]))
+                    if (std::optional<Bridge> bridge =
+                            betterBridge(mesh_, support_, stumps_[i], stumps_[j]))
+                        pairs.push_back({i, j, std::move(*bridge)});
+        std::stable_sort(pairs.begin(), pairs.end(), [](const Pair &a, const Pair &b) {
+            return a.bridge.gain > b.bridge.gain;
+        });
+        for (std::size_t i = 0; i < pairs.size() && i < mostTried; ++i)
+            if (std::optional<TearChanges> changes = mend(pairs[i]))
                 return changes;
         return std::nullopt;
     }
 
 private:
-    void findPatches(const FaceTable &faces)
+    void findStumps(const FaceTable &faces)
     {
-        patches_.clear();
-        bounds_.clear();
         PatchSearch search(mesh_, faces, support_);
         for (FaceId face = 0; face < faces.size(); ++face) {
             if (!search.isSeed(face))
                 continue;
             std::optional<Patch> patch = search.find(face, PatchExtent::core);
-            if (!patch || patch->faces.size() < leastFaces || patch->rim.size() > longestRim)
-                continue;
-            Box3 bounds;
-            for (const VertexId v : patch->rim)
-                bounds.Add(mesh_.position(v));
-            bounds_.push_back(bounds);
-            patches_.push_back(std::move(*patch));
+            if (patch && patch->faces.size() >= leastFaces && patch->rim.size() <= longestRim)
+                stumps_.emplace_back(mesh_, faces, support_, std::move(*patch));
         }
     }
 
     /// Whether the two are of one component, near enough and apart from each other.
-    bool mayFace(std::size_t i, std::size_t j) const
+    bool mayFace(const Stump &a, const Stump &b) const
     {
-        if (components_[patches_[i].rim.front()] != components_[patches_[j].rim.front()])
+        if (components_[a.patch.rim.front()] != components_[b.patch.rim.front()])
             return false;
-        Box3 wide = bounds_[i];
-        wide.Offset(std::min(bounds_[i].Diag(), bounds_[j].Diag()) / 2);
-        if (!wide.Collide(bounds_[j]))
+        Box3 wide = a.bounds;
+        wide.Offset(std::min(a.bounds.Diag(), b.bounds.Diag()) / 2);
+        if (!wide.Collide(b.bounds))
             return false;
         const auto isShared = [&](VertexId v) {
-            const std::vector<VertexId> &rim = patches_[j].rim;
-            return std::find(rim.begin(), rim.end(), v) != rim.end();
+            return std::find(b.patch.rim.begin(), b.patch.rim.end(), v) != b.patch.rim.end();
         };
-        return std::none_of(patches_[i].rim.begin(), patches_[i].rim.end(), isShared);
+        return std::none_of(a.patch.rim.begin(), a.patch.rim.end(), isShared);
     }
 
-    std::optional<Bridge> betterBridge(const FaceTable &faces, std::size_t i, std::size_t j) const
+    std::optional<TearChanges> mend(const Pair &pair)
     {
-        const std::vector<VertexId> &first = patches_[i].rim;
-        const std::vector<VertexId> &second = patches_[j].rim;
-        const FillingCost cost(mesh_, support_, first);
-        std::vector<Corners> before;
-        for (const std::size_t patch : {i, j})
-            for (const FaceId face : patches_[patch].faces)
-                before.push_back(faces.corners(face));
-        const double weightNow = cost.weight(before);
-        const AnnulusTriangulation band =
-            triangulateAnnulus(static_cast<int>(first.size()), static_cast<int>(second.size()),
-                               bandWeights(cost, first, second));
-        if (!(band.weight < leastGain * weightNow))
-            return std::nullopt;
-        const FillingCost::Missed missed =
-            cost.missed(before, bandFaces(first, second, band.rungs));
-        const double now = weightNow + missed.before;
-        const double then = band.weight + missed.after;
-        if (!(then < leastGain * now))
-            return std::nullopt;
-        return Bridge{i, j, band.rungs, now - then};
-    }
-
-    AnnulusWeights bandWeights(const FillingCost &cost, const std::vector<VertexId> &first,
-                               const std::vector<VertexId> &second) const
-    {
-        const std::size_t n = first.size();
-        const std::size_t m = second.size();
-        std::vector<double> rungs(n * m);
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t j = 0; j < m; ++j)
-                rungs[i * m + j] = mesh_.ring(first[i]).contains(second[j])
-                                       ? std::numeric_limits<double>::infinity()
-                                       : cost.squaredDistanceOfEdge(first[i], second[j]);
-        const auto place = [](int i) { return static_cast<std::size_t>(i); };
-        return {[=, &cost, &first, &second](int i, int j) {
-                    const std::size_t next = place(i + 1) % n;
-                    return cost.weight({first[place(i)], first[next], second[place(j)]},
-                                       cost.squaredDistanceOfEdge(first[place(i)], first[next]),
-                                       rungs[next * m + place(j)], rungs[place(i) * m + place(j)]);
-                },
-                [=, &cost, &first, &second](int i, int j) {
-                    const std::size_t next = (place(j) + m - 1) % m;
-                    return cost.weight({second[next], second[place(j)], first[place(i)]},
-                                       cost.squaredDistanceOfEdge(second[next], second[place(j)]),
-                                       rungs[place(i) * m + place(j)], rungs[place(i) * m + next]);
-                }};
-    }
-
-    static std::vector<Corners> bandFaces(const std::vector<VertexId> &first,
-                                          const std::vector<VertexId> &second,
-                                          const std::vector<std::pair<int, int>> &rungs)
-    {
-        std::vector<Corners> faces;
-        for (std::size_t k = 0; k < rungs.size(); ++k) {
-            const auto &[i, j] = rungs[k];
-            const auto &[nextI, nextJ] = rungs[(k + 1) % rungs.size()];
-            const VertexId third = i != nextI ? first[static_cast<std::size_t>(nextI)]
-                                              : second[static_cast<std::size_t>(nextJ)];
-            faces.push_back(
-                {first[static_cast<std::size_t>(i)], third, second[static_cast<std::size_t>(j)]});
-        }
-        return faces;
-    }
-
-    std::optional<TearChanges> mend(const Bridge &bridge)
-    {
-        const Patch &first = patches_[bridge.first];
-        const Patch &second = patches_[bridge.second];
+        const Patch &first = stumps_[pair.first].patch;
+        const Patch &second = stumps_[pair.second].patch;
         const RingBackup backup(mesh_, first, second);
-        bridgeDiscs(mesh_, first.rim, second.rim, bridge.rungs);
+        bridgeDiscs(mesh_, first.rim, second.rim, pair.bridge.rungs);
         for (const Patch *patch : {&first, &second})
             for (const VertexId v : patch->interior)
                 mesh_.ring(v).clear();
         const Cut cut = cheapestCut(first.rim.front());
         const auto vertices = mesh_.vn + static_cast<int>(cut.loop.size()) -
                               static_cast<int>(first.interior.size() + second.interior.size());
-        if (!(cut.cost < mostCostOfCut * bridge.gain) || vertices > mostVertices_) {
+        if (!(cut.cost < mostCostOfCut * pair.bridge.gain) || vertices > mostVertices_) {
             backup.restore(mesh_);
             return std::nullopt;
         }
@@ -269,8 +193,7 @@ private:
     int mostVertices_;
     std::vector<VertexId> &freeSlots_;
     std::vector<int> components_; ///< by vertex, before anything is changed
-    std::vector<Patch> patches_;
-    std::vector<Box3> bounds_; ///< of their rims
+    std::vector<Stump> stumps_;
 };
 
 } // namespace

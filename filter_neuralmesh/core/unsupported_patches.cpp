@@ -33,12 +33,19 @@ void PatchSearch::judgeEdges(const SampleSupport &support)
         for (std::size_t k = 0; k < 3; ++k) {
             const VertexId a = faces_.corners(face)[k];
             const VertexId b = faces_.corners(face)[(k + 1) % 3];
+            if (b < a) // judged from its other face
+                continue;
             const Point3 middle = (mesh_.position(a) + mesh_.position(b)) / 2;
             const Scalar length = (mesh_.position(a) - mesh_.position(b)).Norm();
             if (support.hasWithin(middle, farDistance * length))
                 continue;
+            const FaceId other = faces_.leftOf(b, a);
+            const Corners &corners = faces_.corners(other);
+            const auto start = std::find(corners.begin(), corners.end(), b) - corners.begin();
             isFar_[3 * face + k] = 1;
+            isFar_[3 * other + static_cast<std::size_t>(start)] = 1;
             isSeed_[face] = 1;
+            isSeed_[other] = 1;
         }
 }
 

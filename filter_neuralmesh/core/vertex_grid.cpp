@@ -142,45 +142,111 @@ void VertexGrid::improve(CellId cell, const Point3 &query, Candidate &best) cons
     }
 }
 
-VertexGrid::Candidate VertexGrid::anyNearby(const Point3 &query) const
-{
-    // Cubes of cells around the query, one layer further each time until one holds a vertex.
-    Candidate best{std::numeric_limits<Scalar>::infinity(), noVertex};
-    const CellCoordinates centre = coordinates(query);
-    for (int reach = 0; best.id == noVertex; ++reach)
-        for (int z = std::max(0, centre.z - reach); z <= std::min(cellsZ_ - 1, centre.z + reach);
-             ++z)
-            for (int y = std::max(0, centre.y - reach);
-                 y <= std::min(cellsY_ - 1, centre.y + reach); ++y) {
-                const bool inside =
-                    std::abs(z - centre.z) < reach && std::abs(y - centre.y) < reach;
-                const int step = inside ? std::max(1, 2 * reach) : 1;
-                for (int x = centre.x - reach; x <= centre.x + reach; x += step)
-                    if (x >= 0 && x < cellsX_)
-                        improve(cellAt({x, y, z}), query, best);
+/// The cells, each with its least distance from the query, in cubes of growing size around it:
+/// until a cube is further than the best that was found.
+class VertexGrid::Shells {
+public:
+    Shells(const VertexGrid &grid, const Point3 &query)
+        : grid_(grid), query_(query), centre_(grid.coordinates(query)),
+          x_(grid, query.X() - grid.bounds_.min.X(), centre_.x, grid.cellsX_),
+          y_(grid, query.Y() - grid.bounds_.min.Y(), centre_.y, grid.cellsY_),
+          z_(grid, query.Z() - grid.bounds_.min.Z(), centre_.z, grid.cellsZ_)
+    {
+    }
+
+    void search(Candidate &best) const
+    {
+        grid_.improve(grid_.cellAt(centre_), query_, best);
+        for (int reach = 1;; ++reach) {
+            const Scalar least =
+                std::min({x_.leastAt(reach), y_.leastAt(reach), z_.leastAt(reach)});
+            if (least > best.squaredDistance || std::isinf(least))
+                return;
+            searchShell(reach, best);
+        }
+    }
+
+private:
+    /// One axis of the grid.
+    class Axis {
+    public:
+        Axis(const VertexGrid &grid, Scalar offset, int centre, int cells)
+            : fromLower_(offset - static_cast<Scalar>(centre) / grid.cellsPerUnit_),
+              cellSize_(1 / grid.cellsPerUnit_), lowest_(-centre), highest_(cells - 1 - centre),
+              slack_(rounding * static_cast<Scalar>(cells) * cellSize_)
+        {
+        }
+
+        int lowest() const { return lowest_; }
+        int highest() const { return highest_; }
+
+        /// Of cells so many further: the least squared distance from the query along the axis.
+        Scalar squaredDistance(int step) const
+        {
+            if (step == 0)
+                return 0;
+            const Scalar d = step > 0 ? static_cast<Scalar>(step) * cellSize_ - fromLower_
+                                      : fromLower_ - static_cast<Scalar>(step + 1) * cellSize_;
+            return d > slack_ ? (d - slack_) * (d - slack_) : 0;
+        }
+
+        /// Of cells so many further to either side; infinite where there are none.
+        Scalar leastAt(int reach) const
+        {
+            constexpr Scalar none = std::numeric_limits<Scalar>::infinity();
+            return std::min(reach <= highest_ ? squaredDistance(reach) : none,
+                            -reach >= lowest_ ? squaredDistance(-reach) : none);
+        }
+
+    private:
+        /// The rounding of coordinates must not lose a vertex at the border of its cell.
+        static constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();
+
+        Scalar fromLower_; ///< of the query's own cell
+        Scalar cellSize_;
+        int lowest_, highest_; ///< steps within the grid
+        Scalar slack_;
+    };
+
+    void searchShell(int reach, Candidate &best) const
+    {
+        for (int z = std::max(-reach, z_.lowest()); z <= std::min(reach, z_.highest()); ++z) {
+            const Scalar ofZ = z_.squaredDistance(z);
+            if (ofZ > best.squaredDistance)
+                continue;
+            for (int y = std::max(-reach, y_.lowest()); y <= std::min(reach, y_.highest()); ++y) {
+                const Scalar ofRow = ofZ + y_.squaredDistance(y);
+                if (ofRow > best.squaredDistance)
+                    continue;
+                const bool isFace = std::abs(z) == reach || std::abs(y) == reach;
+                searchRow(y, z, reach, isFace ? 1 : 2 * reach, ofRow, best);
             }
-    return best;
-}
+        }
+    }
+
+    void searchRow(int y, int z, int reach, int stride, Scalar ofRow, Candidate &best) const
+    {
+        for (int x = -reach; x <= reach; x += stride)
+            if (x >= x_.lowest() && x <= x_.highest() &&
+                ofRow + x_.squaredDistance(x) <= best.squaredDistance)
+                grid_.improve(grid_.cellAt({centre_.x + x, centre_.y + y, centre_.z + z}), query_,
+                              best);
+    }
+
+    const VertexGrid &grid_;
+    const Point3 &query_;
+    const CellCoordinates centre_;
+    const Axis x_, y_, z_;
+};
 
 VertexId VertexGrid::nearest(const Point3 &query, VertexId hint) const
 {
     if (size_ == 0)
         return noVertex;
-    Candidate best = contains(hint)
-                         ? Candidate{(entries_[hint].position - query).SquaredNorm(), hint}
-                         : anyNearby(query);
-    const CellId own = cellAt(coordinates(query));
-    improve(own, query, best);
-    const Scalar radius = std::sqrt(best.squaredDistance);
-    // The rounding of the root must not lose a vertex at exactly the best distance.
-    const Scalar reach = radius * (1 + 4 * std::numeric_limits<Scalar>::epsilon());
-    const CellCoordinates low = coordinates(query - Point3(reach, reach, reach));
-    const CellCoordinates high = coordinates(query + Point3(reach, reach, reach));
-    for (int z = low.z; z <= high.z; ++z)
-        for (int y = low.y; y <= high.y; ++y)
-            for (int x = low.x; x <= high.x; ++x)
-                if (const CellId cell = cellAt({x, y, z}); cell != own)
-                    improve(cell, query, best);
+    Candidate best{std::numeric_limits<Scalar>::infinity(), noVertex};
+    if (contains(hint))
+        best = {(entries_[hint].position - query).SquaredNorm(), hint};
+    Shells(*this, query).search(best);
     return best.id;
 }
 

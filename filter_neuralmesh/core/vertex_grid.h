@@ -73,6 +73,8 @@ private:
         VertexId id;
     };
 
+    class Shells;
+
     CellCoordinates coordinates(const Point3 &position) const;
     CellId cellAt(const CellCoordinates &c) const;
     void link(VertexId id, CellId cell);
@@ -82,7 +84,6 @@ private:
     void improve(CellId cell, const Point3 &query, Candidate &best) const;
     /// Takes the vertices of a cell within the radius off `count`; whether none is left to find.
     bool countDown(CellId cell, const Point3 &query, Scalar squaredRadius, int &count) const;
-    Candidate anyNearby(const Point3 &query) const;
 
     Box3 bounds_;
     Scalar cellsPerUnit_ = 1;
