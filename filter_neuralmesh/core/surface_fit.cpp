@@ -40,6 +40,10 @@ constexpr double scatterOfRelief = 0.12;
 constexpr double scatterOfNoise = 0.27;
 constexpr double noiseInBending = 6;
 constexpr double leastBendingInNoise = 0.2;
+/// There, the bending around a vertex counts as so many times the median at the most. Where a sheet
+/// lies in folds, each fold has samples of its own that hold it there, and the bending that it
+/// makes would free it from all smoothness: it grew tenfold in ten sweeps (cortex, σ = 0.5 %).
+constexpr double mostBendingInNoise = 5;
 /// Sweeps after which irregular vertices are exchanged.
 constexpr int firstExchange = 1;
 constexpr int lastExchange = 7;
@@ -213,16 +217,22 @@ private:
         return sum / mesh_.valence(v);
     }
 
-    /// Sets how far the scatter of the samples is noise, from none to all of it.
+    /// Sets how far the scatter of the samples is noise, from none to all of it, and how much
+    /// bending is believed.
     void judgeNoise()
     {
         std::vector<double> scatter;
+        std::vector<double> bending;
         for (VertexId v = 0; v < mesh_.idBound(); ++v)
-            if (mesh_.isLive(v))
+            if (mesh_.isLive(v)) {
                 scatter.push_back(std::sqrt(noiseVariance(v)) / around_[v].meanEdge);
+                bending.push_back(around_[v].bendingVariance);
+            }
         noise_ = std::clamp((median(std::move(scatter)) - scatterOfRelief) /
                                 (scatterOfNoise - scatterOfRelief),
                             0.0, 1.0);
+        mostBending_ = noise_ > 0 ? mostBendingInNoise / noise_ * median(std::move(bending))
+                                  : std::numeric_limits<double>::infinity();
     }
 
     /// The Gauss-Newton step of the vertex alone, from three sources weighted by their precision:
@@ -237,9 +247,9 @@ private:
         const double noise = std::max(noiseVariance(v), 1e-8 * s.meanEdge * s.meanEdge);
         const double precision = information_ / noise;
         const double ownVariance = noise / (information_ * trace);
-        const double bendingVariance =
-            std::max(s.bendingVariance - noise_ * noiseInBending * ownVariance,
-                     (leastBending + noise_ * (leastBendingInNoise - leastBending)) * ownVariance);
+        const double bendingVariance = std::max(
+            std::min(s.bendingVariance, mostBending_) - noise_ * noiseInBending * ownVariance,
+            (leastBending + noise_ * (leastBendingInNoise - leastBending)) * ownVariance);
         const double shape = std::clamp((sliverCosine - s.sliver) / (sliverCosine - goodCosine),
                                         leastTangentialShare, 1.0);
         const double tangentialVariance = squared(tangentialDeviation * shape * s.meanEdge);
@@ -317,6 +327,7 @@ private:
     std::vector<Surroundings> around_;
     double information_ = 1;    ///< of all sweeps so far, in sweeps; no more than the points hold
     double noise_ = 0;          ///< see judgeNoise()
+    double mostBending_ = 0;    ///< the same, as a variance
     std::vector<Point3> start_; ///< by id, positions before the fit
     std::vector<Scalar> typicalResidual_; ///< by id, of the last sweep
 };
