@@ -35,9 +35,9 @@ struct GrowthParameters {
     int smoothingPasses = 5;
     /// λ: signals for each vertex split, at least 1. Paper: 100.
     int signalsPerSplit = 100;
-    /// μ: a vertex that has not won in the last μ·n signals is removed, at least 1. Paper: 20, which
-    /// is worse on dino (0.0242 instead of 0.0216). So is 8 on homer (0.0249 instead of 0.0217) and
-    /// camel (0.087 instead of 0.060), though it is better on dino (0.0198).
+    /// μ: a vertex that has not won in the last μ·n signals is removed, at least 1. Paper: 20,
+    /// which is worse on dino (0.0242 instead of 0.0216). So is 8 on homer (0.0249 instead of
+    /// 0.0217) and camel (0.087 instead of 0.060), though it is better on dino (0.0198).
     int inactivityFactor = 12;
     /// α, equation 7: factor by which the counters decay while the network of n vertices receives
     /// n signals, in (0, 1). The paper applies its 0.95 at every signal, which makes a counter

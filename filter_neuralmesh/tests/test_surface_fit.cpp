@@ -45,6 +45,14 @@ double rmsWithFit(bool fit, const std::vector<vcg::Point3d> &cloud,
     return rmsDistance(mesh, sampler.frame(), clean);
 }
 
+/// Nearly normal: the sum of four uniforms.
+void addNoise(vcg::Point3d &point, double deviation, Random &random)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        point[axis] += deviation * std::sqrt(3.0) *
+                       (random.unit() + random.unit() + random.unit() + random.unit() - 2);
+}
+
 /// The surface of a cube with 90-degree creases, by area.
 std::vector<vcg::Point3d> cubePoints(std::size_t count)
 {
@@ -88,9 +96,7 @@ TEST(SurfaceFit, is_nearer_to_the_truth_than_the_noise_of_its_points)
     std::vector<vcg::Point3d> noisy;
     for (const vcg::Point3d &p : clean) {
         vcg::Point3d q = p;
-        for (int axis = 0; axis < 3; ++axis) // the sum of four uniforms: nearly normal
-            q[axis] += 0.02 * std::sqrt(3.0) *
-                       (random.unit() + random.unit() + random.unit() + random.unit() - 2);
+        addNoise(q, 0.02, random);
         noisy.push_back(q);
     }
     NeuralMesh grown, fitted;
@@ -99,6 +105,65 @@ TEST(SurfaceFit, is_nearer_to_the_truth_than_the_noise_of_its_points)
     EXPECT_LT(after, before);
     // The noise is 0.02 of the radius, or 0.0058 of the diagonal; 20 points share a vertex.
     EXPECT_LT(after, 0.0058 / 3);
+}
+
+/// A plate 1 by 1 by 0.12: its surface by area, with normal noise.
+std::vector<vcg::Point3d> noisyPlate(std::size_t count, double deviation, std::uint64_t seed)
+{
+    Random random(seed);
+    const vcg::Point3d size(1, 1, 0.12);
+    const double shareOfRim = 2 * size[2] / (1 + 2 * size[2]);
+    std::vector<vcg::Point3d> points;
+    for (std::size_t i = 0; i < count; ++i) {
+        vcg::Point3d p(random.unit() * size[0], random.unit() * size[1], random.unit() * size[2]);
+        const int axis = random.unit() >= shareOfRim ? 2 : static_cast<int>(random.below(2));
+        p[axis] = random.below(2) == 0 ? 0 : size[axis];
+        addNoise(p, deviation, random);
+        points.push_back(p);
+    }
+    return points;
+}
+
+/// Root mean square distance of the faces' centres from that plate, by area.
+double rmsDistanceFromPlate(const NeuralMesh &mesh, const UnitFrame &frame)
+{
+    const vcg::Point3d size(1, 1, 0.12);
+    double squares = 0;
+    double areas = 0;
+    for (const NeuralFace &face : mesh.face) {
+        const vcg::Point3d p = frame.toWorld((face.cP(0) + face.cP(1) + face.cP(2)) / 3);
+        double outside = 0;
+        double inside = size[2];
+        for (int k = 0; k < 3; ++k) {
+            const double over = std::max({-p[k], p[k] - size[k], 0.0});
+            outside += over * over;
+            inside = std::min({inside, p[k], size[k] - p[k]});
+        }
+        const double area = ((face.cP(1) - face.cP(0)) ^ (face.cP(2) - face.cP(0))).Norm();
+        squares += area * (outside > 0 ? outside : inside * inside);
+        areas += area;
+    }
+    return std::sqrt(squares / areas);
+}
+
+/// Where the noise is half an edge and two sheets are six deviations apart, the network lies in
+/// folds. Each fold has samples of its own, which must not hold it.
+TEST(SurfaceFit, lays_folds_flat_in_strong_noise)
+{
+    double logarithms = 0;
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const PointCloudSampler sampler(noisyPlate(15000, 0.02, seed));
+        GrowthParameters parameters;
+        parameters.targetVertexCount = 1500;
+        NeuralMesh fitted, grown;
+        grow(fitted, sampler, parameters);
+        parameters.surfaceFit = false;
+        grow(grown, sampler, parameters);
+        logarithms += std::log(rmsDistanceFromPlate(fitted, sampler.frame()) /
+                               rmsDistanceFromPlate(grown, sampler.frame()));
+    }
+    // 0.81; with bending believed at any height, 0.98.
+    EXPECT_LT(std::exp(logarithms / 3), 0.9);
 }
 
 TEST(SurfaceFit, finds_the_corners_of_faces_that_intersect)
