@@ -98,7 +98,7 @@ void addCommonParameters(RichParameterList &list)
                              "network as it is."));
     list.addParam(RichBool("SurfaceFit", d.surfaceFit, "Surface fit",
                            "Closes with a fit of the faces to the points: several times more "
-                           "accurate, for a sixth more time."));
+                           "accurate, for a fifth more time."));
     list.addParam(RichInt("RandomSeed", static_cast<int>(d.seed), "Random seed",
                           "The same seed gives the same mesh. 0 takes a fresh seed and reports "
                           "it."));
