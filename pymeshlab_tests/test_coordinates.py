@@ -132,7 +132,8 @@ def test_a_target_close_to_the_number_of_points_is_reached(target: int) -> None:
     assert result["reached_target"] is True
     assert document.get_topological_measures()["is_mesh_two_manifold"]
     radii = np.linalg.norm(document.current_mesh().vertex_matrix(), axis=1)
-    assert np.abs(radii - 1).max() < 0.03
+    # At 3,000 vertices an edge is 0.07 long: a vertex off by half of that would be misplaced.
+    assert np.abs(radii - 1).max() < 0.035
 
 
 def test_growth_that_comes_to_a_stop_reaches_its_target_all_the_same(bunny_array: Points) -> None:

@@ -236,9 +236,19 @@ def test_a_method_that_takes_too_long_is_a_row():
     assert rows[0].values["failure"] == "not done after 0.01 s"
 
 
-def row(model: str, method: str, **values: Any) -> Row:
-    """A made-up clean row of seed 1."""
-    return Row(Group(model, "clean", 1, 5000), method, values)
+def row(model: str, method: str, seed: int = 1, **values: Any) -> Row:
+    """A made-up clean row."""
+    return Row(Group(model, "clean", seed, 5000), method, values)
+
+
+def test_the_overview_takes_the_geometric_mean_of_the_seeds():
+    rows = [
+        row("dino", "ours", rms_to_mesh=0.02, rms_to_surface=0.1),
+        row("dino", "ours", seed=2, rms_to_mesh=0.08, rms_to_surface=0.1),
+        row("dino", "poisson-true", rms_to_mesh=0.01, rms_to_surface=0.01),
+        row("dino", "poisson-true", seed=2, failure="crashed with SIGSEGV"),
+    ]
+    assert report.overview_markdown(rows).splitlines()[-1] == "| dino | 0.040 / 0.100 | – |"
 
 
 def test_bars_take_the_geometric_mean_and_the_worst_and_count_failures():

@@ -42,7 +42,8 @@ constexpr double noiseInBending = 6;
 constexpr double leastBendingInNoise = 0.2;
 /// There, the bending around a vertex counts as so many times the median at the most. Where a sheet
 /// lies in folds, each fold has samples of its own that hold it there, and the bending that it
-/// makes would free it from all smoothness: it grew tenfold in ten sweeps (cortex, σ = 0.5 %).
+/// makes would free it from all smoothness, more in each sweep. RMS to the surface of the cortex at
+/// σ = 0.5 %, by benchmark.py --quality: 0.23 %, as with 3 or 8; with 20, 0.28 %; without, 0.36 %.
 constexpr double mostBendingInNoise = 5;
 /// Sweeps after which irregular vertices are exchanged.
 constexpr int firstExchange = 1;
@@ -327,7 +328,7 @@ private:
     std::vector<Surroundings> around_;
     double information_ = 1;    ///< of all sweeps so far, in sweeps; no more than the points hold
     double noise_ = 0;          ///< see judgeNoise()
-    double mostBending_ = 0;    ///< the same, as a variance
+    double mostBending_ = 0;    ///< the most that is believed, as a variance
     std::vector<Point3> start_; ///< by id, positions before the fit
     std::vector<Scalar> typicalResidual_; ///< by id, of the last sweep
 };

@@ -173,7 +173,7 @@ private:
         Axis(const VertexGrid &grid, Scalar offset, int centre, int cells)
             : fromLower_(offset - static_cast<Scalar>(centre) / grid.cellsPerUnit_),
               cellSize_(1 / grid.cellsPerUnit_), lowest_(-centre), highest_(cells - 1 - centre),
-              slack_(rounding * static_cast<Scalar>(cells) * cellSize_)
+              slack_(rounding * std::max(static_cast<Scalar>(cells) * cellSize_, std::abs(offset)))
         {
         }
 

@@ -22,9 +22,8 @@ QString aboutReconstruction()
         "<br>For points without normals, with noise or in great number (the running time does not "
         "depend on it), and where the number of vertices matters. The points are those of the "
         "current layer, of its surface, of all visible layers, or of a file on disk. The result is "
-        "a closed "
-        "two-manifold with even triangles and the topology of a sphere, or of the layer that it "
-        "starts from: open surfaces are closed.");
+        "a closed two-manifold with even triangles and the topology of a sphere, or of the layer "
+        "that it starts from: open surfaces are closed.");
 }
 
 QString aboutImplicitSurface()

@@ -15,6 +15,6 @@ ms.apply_filter(
     targetvertnum=2000,
     snapshots="20,100,500",
 )
-for mesh_id in range(1, ms.mesh_number()):
-    ms.set_current_mesh(mesh_id)
-    ms.save_current_mesh(f"bunny_{ms.current_mesh().vertex_number()}.ply")
+for layer in list(ms)[1:]:  # all but the cloud, coarsest first
+    ms.set_current_mesh(layer.id())
+    ms.save_current_mesh(f"bunny_{layer.vertex_number()}.ply")

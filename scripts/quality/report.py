@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from dataclasses import asdict
 from typing import Any
 
+import numpy as np
+
 from quality import models
 from quality.inputs import CONDITIONS
 from quality.run import Group, Row
@@ -84,7 +86,10 @@ def ratio_text(row: Row, peer: Row | None) -> str:
 
 
 def overview_markdown(rows: list[Row]) -> str:
-    """RMS to mesh / to surface of every method, a table a condition, a row a model and seed."""
+    """RMS to mesh / to surface of every method, a table a condition, a row a model.
+
+    Of several seeds, the geometric mean.
+    """
     methods = list(dict.fromkeys(row.method for row in rows))
     lines = []
     for condition in dict.fromkeys(row.group.condition for row in rows):
@@ -92,17 +97,21 @@ def overview_markdown(rows: list[Row]) -> str:
         lines.append(f"| model | {' | '.join(methods)} |")
         lines.append("|---|" + "--:|" * len(methods))
         of_condition = [row for row in rows if row.group.condition == condition]
-        for group in dict.fromkeys(row.group for row in of_condition):
-            found = {row.method: row for row in of_condition if row.group == group}
-            cells = [_both_ways(found.get(method)) for method in methods]
-            lines.append(f"| {group.model} | {' | '.join(cells)} |")
+        for model in dict.fromkeys(row.group.model for row in of_condition):
+            of_model = [row for row in of_condition if row.group.model == model]
+            cells = [_both_ways([r for r in of_model if r.method == method]) for method in methods]
+            lines.append(f"| {model} | {' | '.join(cells)} |")
     return "\n".join(lines)
 
 
-def _both_ways(row: Row | None) -> str:
-    if row is None or row.failed:
+def _both_ways(seeds: list[Row]) -> str:
+    if not seeds or any(row.failed for row in seeds):
         return "–"
-    return f"{row.values['rms_to_mesh']:.3f} / {row.values['rms_to_surface']:.3f}"
+    means = (
+        np.exp(np.mean([np.log(row.values[metric]) for row in seeds]))
+        for metric in ("rms_to_mesh", "rms_to_surface")
+    )
+    return " / ".join(f"{mean:.3f}" for mean in means)
 
 
 def why_these(names: Iterable[str]) -> str:
