@@ -94,3 +94,20 @@ def test_every_item_is_done_once_although_a_worker_is_killed(tmp_path: Path):
     assert done_by()[kept] == names - by_the_lost
     assert again.returncode == 0
     assert f"{count} of them done before" in again.stdout
+
+
+def test_results_that_are_lost_before_they_are_read_are_no_failures(tmp_path: Path):
+    clouds, out, count = tmp_path / "clouds", tmp_path / "out", 8
+    write_clouds(clouds, count)
+    with cluster(tmp_path) as (address, workers):
+        batch = start_batch(clouds, "--out", out, "--vertices", 1000, "--scheduler", address)
+        wait_for(lambda: len(record_files(out)) > 0, "an item to be done")
+        # The batch reads nothing while the workers do all the rest and one of them is lost.
+        batch.send_signal(signal.SIGSTOP)
+        wait_for(lambda: len(record_files(out)) == count, "all items to be done")
+        workers[0].send_signal(signal.SIGKILL)
+        workers[0].wait()
+        batch.send_signal(signal.SIGCONT)
+        output, _ = batch.communicate(timeout=200)
+    assert batch.returncode == 0, output
+    assert [record["outcome"] for record in report(out)["records"]] == ["returned"] * count

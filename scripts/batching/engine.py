@@ -17,7 +17,7 @@ from distributed import Client, Future, LocalCluster, Worker, WorkerPlugin, as_c
 from isolation import Outcome
 
 from batching.folder import OutFolder, Record
-from batching.work import Job, do_job, record_of
+from batching.work import Job, do_job, kept_record, record_of
 
 SCRIPTS = str(Path(__file__).resolve().parent.parent)
 # An item whose worker is lost is handed to another one, this often; then the item is to blame.
@@ -37,9 +37,19 @@ def run_jobs(jobs: list[Job], *, workers: int, scheduler: str) -> Generator[Reco
         by_key = {f"{job.run}-{number}": job for number, job in enumerate(jobs)}
         futures = [client.submit(do_job, job, key=key, pure=False) for key, job in by_key.items()]
         try:
-            for future in as_completed(futures):
+            completed = as_completed(futures)
+            for future in completed:
                 job = by_key[future.key]
-                yield _failed(job, future) if future.status != "finished" else future.result()
+                if future.status == "finished":
+                    record = future.result()
+                elif kept := kept_record(job):  # the worker was lost with the result
+                    record = kept
+                elif future.status in ("lost", "pending"):  # handed out again
+                    completed.add(future)
+                    continue
+                else:
+                    record = _failed(job, future)
+                yield record
                 future.release()
         finally:
             client.cancel(futures)

@@ -54,17 +54,22 @@ def _process(job: Job) -> IsolatedProcess:
     return kept
 
 
+def kept_record(job: Job) -> Record | None:
+    """Return the record that this run has kept of a job, None if it has not been done yet."""
+    record = OutFolder(job.out).record(job.item.name)
+    return record if record and record["run"] == job.run else None
+
+
 def do_job(job: Job) -> Record:
     """Do a job, keep its record in the output folder, and return it. Failures are records too.
 
     A job that Dask hands out again, because its worker was lost after the record was kept, is not
     done a second time.
     """
+    if earlier := kept_record(job):
+        return earlier
     folder = OutFolder(job.out)
     name = job.item.name
-    earlier = folder.record(name)
-    if earlier and earlier["run"] == job.run:
-        return earlier
     partial = folder.partial(job.run, name)
     shutil.rmtree(partial, ignore_errors=True)
     partial.mkdir(parents=True)
