@@ -2,10 +2,10 @@
 // Time of each step of the algorithm, for networks of several sizes on a sphere.
 #include <benchmark/benchmark.h>
 
-#include "core/growing_network.h"
 #include "core/growth.h"
-#include "core/morton_order.h"
-#include "samplers/point_cloud_sampler.h"
+#include "core/network/growing_network.h"
+#include "core/space/morton_order.h"
+#include "samplers/points/point_cloud_sampler.h"
 #include "tests/meshes_for_tests.h"
 
 namespace neuralmesh {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "growth.h"
+#include "core/growth.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "error_measure.h"
-#include "growing_network.h"
-#include "mesh_checks.h"
-#include "morton_order.h"
-#include "ring_topology.h"
-#include "star_projection.h"
-#include "starting_mesh.h"
-#include "surface_fit.h"
+#include "core/fit/surface_fit.h"
+#include "core/mesh/mesh_checks.h"
+#include "core/mesh/ring_topology.h"
+#include "core/network/growing_network.h"
+#include "core/network/star_projection.h"
+#include "core/result/error_measure.h"
+#include "core/space/morton_order.h"
+#include "core/topology/starting_mesh.h"
 
 namespace neuralmesh {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "growth_parameters.h"
-#include "neural_mesh.h"
-#include "progress.h"
-#include "sampler.h"
+#include "core/growth_parameters.h"
+#include "core/mesh/neural_mesh.h"
+#include "core/progress.h"
+#include "core/sampler.h"
 
 namespace neuralmesh {
 

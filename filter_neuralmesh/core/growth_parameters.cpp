@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "growth_parameters.h"
+#include "core/growth_parameters.h"
 
 #include <string>
 
-#include "errors.h"
+#include "core/errors.h"
 
 namespace neuralmesh {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "starting_mesh.h"
+#include "core/topology/starting_mesh.h"
 
 namespace neuralmesh {
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "errors.h"
+#include "core/errors.h"
 
 namespace neuralmesh {
 

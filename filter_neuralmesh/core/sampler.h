@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "neural_mesh.h"
-#include "random.h"
-#include "unit_frame.h"
+#include "core/mesh/neural_mesh.h"
+#include "core/random.h"
+#include "core/space/unit_frame.h"
 
 namespace neuralmesh {
 

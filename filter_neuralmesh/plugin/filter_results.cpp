@@ -5,7 +5,7 @@
 
 #include <common/plugins/interfaces/filter_plugin.h>
 
-#include "core/mesh_checks.h"
+#include "core/mesh/mesh_checks.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/errors.h"
-#include "core/manifold_mesh.h"
+#include "core/mesh/manifold_mesh.h"
 
 namespace {
 

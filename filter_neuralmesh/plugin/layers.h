@@ -4,9 +4,9 @@
 
 #include <common/ml_document/mesh_document.h>
 
-#include "core/face_table.h"
-#include "core/neural_mesh.h"
-#include "core/unit_frame.h"
+#include "core/mesh/face_table.h"
+#include "core/mesh/neural_mesh.h"
+#include "core/space/unit_frame.h"
 
 /// The current layer. Throws InvalidInput where the document has none.
 const MeshModel &currentLayer(const MeshDocument &document);

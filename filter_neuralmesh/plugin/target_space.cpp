@@ -5,12 +5,12 @@
 
 #include "core/errors.h"
 #include "layers.h"
-#include "samplers/implicit_sampler.h"
+#include "samplers/files/point_file_sampler.h"
 #include "samplers/input_checks.h"
-#include "samplers/parametric_sampler.h"
-#include "samplers/point_cloud_sampler.h"
-#include "samplers/point_file_sampler.h"
-#include "samplers/surface_sampler.h"
+#include "samplers/points/point_cloud_sampler.h"
+#include "samplers/surfaces/implicit_sampler.h"
+#include "samplers/surfaces/parametric_sampler.h"
+#include "samplers/surfaces/surface_sampler.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/errors.h"
-#include "core/point_statistics.h"
+#include "core/space/point_statistics.h"
 
 namespace neuralmesh {
 namespace {

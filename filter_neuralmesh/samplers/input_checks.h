@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/neural_mesh.h"
-#include "core/unit_frame.h"
+#include "core/mesh/neural_mesh.h"
+#include "core/space/unit_frame.h"
 
 namespace neuralmesh {
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "core/neural_mesh.h"
+#include "core/mesh/neural_mesh.h"
+#include "core/mesh/ring_topology.h"
 #include "core/random.h"
-#include "core/ring_topology.h"
-#include "core/starting_mesh.h"
+#include "core/topology/starting_mesh.h"
 
 namespace neuralmesh::test {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "core/errors.h"
-#include "samplers/point_file_sampler.h"
+#include "samplers/files/point_file_sampler.h"
 
 int main(int argc, char **argv)
 {

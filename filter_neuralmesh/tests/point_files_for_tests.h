@@ -13,7 +13,7 @@
 
 #include <vcg/space/box3.h>
 
-#include "samplers/mapped_file.h"
+#include "samplers/files/mapped_file.h"
 
 namespace neuralmesh::test {
 

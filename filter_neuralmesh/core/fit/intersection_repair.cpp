@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/fit/intersection_repair.h"
+
+namespace neuralmesh {
+namespace {
+
+/// Rounds of either kind, each with a search for intersections, which are few after the first.
+constexpr int roundsOfRestoring = 10;
+constexpr int roundsOfSmoothing = 20;
+/// Times a vertex is moved alone, before its neighbours are moved with it.
+constexpr int timesAlone = 4;
+
+class IntersectionRepair {
+public:
+    IntersectionRepair(GrowingNetwork &network, const std::vector<Point3> &before)
+        : network_(network), mesh_(network.mesh()), before_(before)
+    {
+    }
+
+    int run()
+    {
+        if (repeat(roundsOfRestoring, [&](VertexId v) { restore(v); }) == 0)
+            return 0;
+        return repeat(roundsOfSmoothing, [&](VertexId v) { smooth(v); });
+    }
+
+private:
+    /// Returns how many vertices of intersecting faces are left.
+    template <class Move> int repeat(int rounds, Move move)
+    {
+        moved_.assign(mesh_.idBound(), 0);
+        for (int round = 0;; ++round) {
+            const std::vector<VertexId> corners = network_.findIntersectingVertices();
+            if (corners.empty() || round == rounds)
+                return static_cast<int>(corners.size());
+            for (const VertexId v : corners) {
+                move(v);
+                if (++moved_[v] > timesAlone)
+                    for (const VertexId u : mesh_.ring(v))
+                        move(u);
+            }
+        }
+    }
+
+    void restore(VertexId v)
+    {
+        network_.moveVertex(v, moved_[v] + 1 < timesAlone ? (mesh_.position(v) + before_[v]) / 2
+                                                          : before_[v]);
+    }
+
+    void smooth(VertexId v)
+    {
+        Point3 sum(0, 0, 0);
+        for (const VertexId u : mesh_.ring(v))
+            sum += mesh_.position(u);
+        network_.moveVertex(v, (mesh_.position(v) + sum / mesh_.valence(v)) / 2);
+    }
+
+    GrowingNetwork &network_;
+    const NeuralMesh &mesh_;
+    const std::vector<Point3> &before_;
+    std::vector<int> moved_; ///< by id, how often
+};
+
+} // namespace
+
+int repairIntersections(GrowingNetwork &network, const std::vector<Point3> &before)
+{
+    return IntersectionRepair(network, before).run();
+}
+
+} // namespace neuralmesh

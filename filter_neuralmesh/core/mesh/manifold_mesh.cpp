@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/manifold_mesh.h"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "core/errors.h"
+#include "core/mesh/ring_topology.h"
+
+namespace neuralmesh {
+namespace {
+
+using Faces = std::vector<Corners>;
+constexpr std::size_t corner(std::size_t c)
+{
+    return c % 3;
+}
+
+/// One face's side of an edge: from corner `c` to the next.
+struct Side {
+    VertexId low, high;
+    FaceId face;
+    bool isRising; ///< runs from low to high
+};
+
+std::vector<Side> sortedSides(const Faces &faces)
+{
+    std::vector<Side> sides;
+    sides.reserve(3 * faces.size());
+    for (FaceId f = 0; f < faces.size(); ++f)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const VertexId a = faces[f][c];
+            const VertexId b = faces[f][corner(c + 1)];
+            sides.push_back({std::min(a, b), std::max(a, b), f, a < b});
+        }
+    std::sort(sides.begin(), sides.end(), [](const Side &x, const Side &y) {
+        return std::tie(x.low, x.high, x.face) < std::tie(y.low, y.high, y.face);
+    });
+    return sides;
+}
+
+std::string countOf(std::size_t count, const char *one, const char *many)
+{
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+void requireProperFaces(const Faces &faces)
+{
+    if (faces.empty())
+        throw InvalidInput("The starting layer has no faces.");
+    const auto broken = std::count_if(faces.begin(), faces.end(), [](const Corners &f) {
+        return f[0] == f[1] || f[1] == f[2] || f[2] == f[0];
+    });
+    if (broken > 0)
+        throw InvalidInput("The starting layer is not two-manifold: " +
+                           countOf(static_cast<std::size_t>(broken), "face names", "faces name") +
+                           " a vertex twice.");
+}
+
+void requireTwoFacesAtEachEdge(const std::vector<Side> &sides)
+{
+    std::size_t open = 0;
+    std::size_t crowded = 0;
+    for (std::size_t i = 0; i < sides.size();) {
+        std::size_t end = i + 1;
+        while (end < sides.size() && sides[end].low == sides[i].low &&
+               sides[end].high == sides[i].high)
+            ++end;
+        open += end - i == 1 ? 1 : 0;
+        crowded += end - i > 2 ? 1 : 0;
+        i = end;
+    }
+    if (crowded > 0)
+        throw InvalidInput("The starting layer is not two-manifold: " +
+                           countOf(crowded, "edge belongs", "edges belong") +
+                           " to more than two faces.");
+    if (open > 0)
+        throw InvalidInput(
+            "The starting layer is not closed: " + countOf(open, "edge belongs", "edges belong") +
+            " to one face only. Close its holes, or merge its close vertices.");
+}
+
+/// Faces across each face's sides, and whether the two agree on their orientation.
+class Adjacency {
+public:
+    explicit Adjacency(const Faces &faces) : neighbours_(faces.size())
+    {
+        const std::vector<Side> sides = sortedSides(faces);
+        requireTwoFacesAtEachEdge(sides);
+        for (std::size_t i = 0; i < sides.size(); i += 2) {
+            const Side &a = sides[i];
+            const Side &b = sides[i + 1];
+            const bool agree = a.isRising != b.isRising;
+            neighbours_[a.face].add(b.face, agree);
+            neighbours_[b.face].add(a.face, agree);
+        }
+    }
+
+    template <class Visit> void forEachNeighbour(FaceId face, Visit visit) const
+    {
+        for (int i = 0; i < 3; ++i)
+            visit(neighbours_[face].faces[i], neighbours_[face].agree[i]);
+    }
+
+private:
+    struct Neighbours {
+        FaceId faces[3];
+        bool agree[3];
+        int count = 0;
+
+        void add(FaceId face, bool agrees)
+        {
+            faces[count] = face;
+            agree[count++] = agrees;
+        }
+    };
+
+    std::vector<Neighbours> neighbours_;
+};
+
+double volumeOf(const std::vector<Point3> &points, const Faces &faces,
+                const std::vector<FaceId> &chosen)
+{
+    double volume = 0;
+    for (const FaceId f : chosen)
+        volume += points[faces[f][0]] * (points[faces[f][1]] ^ points[faces[f][2]]) / 6;
+    return volume;
+}
+
+/// Turns faces so that neighbours agree, component by component.
+void orient(const std::vector<Point3> &points, Faces &faces)
+{
+    const Adjacency adjacency(faces);
+    enum State : unsigned char { unseen, kept, turned };
+    std::vector<State> states(faces.size(), unseen);
+    for (FaceId seed = 0; seed < faces.size(); ++seed) {
+        if (states[seed] != unseen)
+            continue;
+        states[seed] = kept;
+        std::vector<FaceId> component{seed};
+        bool hasTurned = false;
+        for (std::size_t next = 0; next < component.size(); ++next) {
+            const FaceId f = component[next];
+            adjacency.forEachNeighbour(f, [&](FaceId g, bool agree) {
+                const State wanted = agree == (states[f] == kept) ? kept : turned;
+                if (states[g] == unseen) {
+                    states[g] = wanted;
+                    component.push_back(g);
+                } else if (states[g] != wanted) {
+                    throw InvalidInput("The starting layer is not orientable: its faces have no "
+                                       "common outside.");
+                }
+            });
+        }
+        for (const FaceId f : component)
+            if (states[f] == turned) {
+                std::swap(faces[f][1], faces[f][2]);
+                hasTurned = true;
+            }
+        if (hasTurned && volumeOf(points, faces, component) < 0)
+            for (const FaceId f : component)
+                std::swap(faces[f][1], faces[f][2]);
+    }
+}
+
+/// Points that faces name, renumbered.
+void addVertices(NeuralMesh &mesh, const std::vector<Point3> &points, Faces &faces)
+{
+    std::vector<VertexId> place(points.size(), noVertex);
+    std::vector<VertexId> noFreeSlots;
+    mesh.Clear();
+    for (Corners &face : faces)
+        for (VertexId &v : face) {
+            if (place[v] == noVertex) {
+                place[v] = mesh.idBound();
+                addVertex(mesh, noFreeSlots, points[v]);
+            }
+            v = place[v];
+        }
+}
+
+/// The ring of v from the sides opposite to it in its faces, each from a neighbour to the next.
+void makeRing(NeuralMesh &mesh, VertexId v, std::vector<std::pair<VertexId, VertexId>> &steps)
+{
+    std::sort(steps.begin(), steps.end());
+    VertexId at = steps.front().first;
+    do {
+        mesh.ring(v).pushBack(at);
+        at = std::lower_bound(steps.begin(), steps.end(), std::make_pair(at, VertexId(0)))->second;
+    } while (at != steps.front().first);
+    if (mesh.ring(v).size() != static_cast<int>(steps.size()))
+        throw InvalidInput("The starting layer is not two-manifold: several fans of faces meet at "
+                           "one vertex.");
+    if (steps.size() < 3)
+        throw InvalidInput("The starting layer is not two-manifold: two faces have the same three "
+                           "vertices.");
+}
+
+} // namespace
+
+void makeManifold(NeuralMesh &mesh, const std::vector<Point3> &points, const Faces &given)
+{
+    Faces faces = given;
+    requireProperFaces(faces);
+    orient(points, faces);
+    addVertices(mesh, points, faces);
+    std::vector<std::vector<std::pair<VertexId, VertexId>>> steps(mesh.idBound());
+    for (const Corners &face : faces)
+        for (std::size_t c = 0; c < 3; ++c)
+            steps[face[c]].emplace_back(face[corner(c + 1)], face[corner(c + 2)]);
+    for (VertexId v = 0; v < mesh.idBound(); ++v)
+        makeRing(mesh, v, steps[v]);
+}
+
+} // namespace neuralmesh

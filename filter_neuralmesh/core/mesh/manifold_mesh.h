@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a list of faces to the network's neighbour rings.
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/face_table.h"
+#include "core/mesh/neural_mesh.h"
+
+namespace neuralmesh {
+
+/// Makes `mesh` the closed two-manifold of these faces; points that no face names are left out.
+/// It may have handles and several components. Faces that agree on their orientation keep it; in a
+/// component where they do not, all are turned outwards.
+///
+/// Throws InvalidInput, with a sentence about "the starting layer", where a face names a vertex
+/// twice, an edge belongs to one face or to more than two, two faces have the same three corners,
+/// a vertex joins several fans of faces, or no orientation agrees (a Klein bottle).
+void makeManifold(NeuralMesh &mesh, const std::vector<Point3> &points,
+                  const std::vector<Corners> &faces);
+
+} // namespace neuralmesh

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/mesh_checks.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+namespace neuralmesh {
+namespace {
+
+std::string describe(const char *what, VertexId v, VertexId u)
+{
+    return std::string(what) + " (vertices " + std::to_string(v) + " and " + std::to_string(u) +
+           ")";
+}
+
+std::string findDefectAt(const NeuralMesh &mesh, VertexId v)
+{
+    const NeighbourRing &ring = mesh.ring(v);
+    if (ring.size() < 3)
+        return describe("a vertex has fewer than three neighbours", v, v);
+    if (std::set<VertexId>(ring.begin(), ring.end()).size() !=
+        static_cast<std::size_t>(ring.size()))
+        return describe("a ring names a neighbour twice", v, v);
+    for (int i = 0; i < ring.size(); ++i) {
+        const VertexId a = ring[i];
+        const VertexId b = ring[ring.next(i)];
+        if (a == v)
+            return describe("a vertex is its own neighbour", v, v);
+        if (!mesh.isLive(a))
+            return describe("a ring names a removed vertex", v, a);
+        const NeighbourRing &other = mesh.ring(a);
+        const int place = other.find(b);
+        if (place < 0 || other[other.next(place)] != v)
+            return describe("a face is not the same seen from two of its corners", v, a);
+    }
+    return {};
+}
+
+} // namespace
+
+std::string findDefect(const NeuralMesh &mesh)
+{
+    int live = 0;
+    for (VertexId v = 0; v < mesh.idBound(); ++v) {
+        if (!mesh.isLive(v)) {
+            if (mesh.valence(v) != 0)
+                return describe("a removed vertex has neighbours", v, v);
+            continue;
+        }
+        ++live;
+        if (std::string defect = findDefectAt(mesh, v); !defect.empty())
+            return defect;
+    }
+    return live == mesh.vn ? std::string() : "the vertex count is wrong";
+}
+
+void validate(const NeuralMesh &mesh)
+{
+    if (const std::string defect = findDefect(mesh); !defect.empty())
+        throw std::logic_error("The network is broken: " + defect + ".");
+}
+
+std::vector<int> labelComponents(const NeuralMesh &mesh)
+{
+    std::vector<int> labels(mesh.idBound(), -1);
+    std::vector<VertexId> open;
+    int components = 0;
+    for (VertexId seed = 0; seed < mesh.idBound(); ++seed) {
+        if (!mesh.isLive(seed) || labels[seed] >= 0)
+            continue;
+        labels[seed] = components;
+        open.push_back(seed);
+        while (!open.empty()) {
+            const VertexId v = open.back();
+            open.pop_back();
+            for (const VertexId u : mesh.ring(v))
+                if (labels[u] < 0) {
+                    labels[u] = components;
+                    open.push_back(u);
+                }
+        }
+        ++components;
+    }
+    return labels;
+}
+
+TopologyFigures measureTopology(const NeuralMesh &mesh)
+{
+    TopologyFigures figures;
+    const std::vector<int> labels = labelComponents(mesh);
+    int corners = 0;
+    for (VertexId v = 0; v < mesh.idBound(); ++v) {
+        if (!mesh.isLive(v))
+            continue;
+        figures.components = std::max(figures.components, labels[v] + 1);
+        ++figures.vertices;
+        corners += mesh.valence(v);
+    }
+    figures.edges = corners / 2;
+    figures.faces = corners / 3;
+    figures.genus = figures.components - (figures.vertices - figures.edges + figures.faces) / 2;
+    return figures;
+}
+
+std::vector<int> valenceHistogram(const NeuralMesh &mesh)
+{
+    std::vector<int> histogram;
+    for (VertexId v = 0; v < mesh.idBound(); ++v) {
+        if (!mesh.isLive(v))
+            continue;
+        const auto valence = static_cast<std::size_t>(mesh.valence(v));
+        if (histogram.size() <= valence)
+            histogram.resize(valence + 1, 0);
+        ++histogram[valence];
+    }
+    return histogram;
+}
+
+double signedVolume(const NeuralMesh &mesh)
+{
+    double volume = 0;
+    for (VertexId v = 0; v < mesh.idBound(); ++v) {
+        const NeighbourRing &ring = mesh.ring(v);
+        for (int i = 0; i < ring.size(); ++i) {
+            const VertexId a = ring[i];
+            const VertexId b = ring[ring.next(i)];
+            if (v < a && v < b)
+                volume += mesh.position(v) * (mesh.position(a) ^ mesh.position(b)) / 6;
+        }
+    }
+    return volume;
+}
+
+} // namespace neuralmesh

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checks and figures of the network's connectivity, for tests and for the report to the user.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/mesh/neural_mesh.h"
+
+namespace neuralmesh {
+
+/// The first broken invariant in words, or an empty string where the mesh is a closed oriented
+/// two-manifold: every ring has three or more distinct live neighbours, neighbourhood is mutual,
+/// and the two faces at each edge agree on their orientation.
+std::string findDefect(const NeuralMesh &mesh);
+
+/// Throws std::logic_error with the first broken invariant.
+void validate(const NeuralMesh &mesh);
+
+struct TopologyFigures {
+    int vertices = 0;
+    int edges = 0;
+    int faces = 0;
+    int components = 0;
+    /// Sum of the components' genera: components - (V - E + F) / 2 on a closed mesh.
+    int genus = 0;
+};
+
+/// By vertex id: the number of the vertex's component, from 0; -1 for removed vertices.
+std::vector<int> labelComponents(const NeuralMesh &mesh);
+
+TopologyFigures measureTopology(const NeuralMesh &mesh);
+
+/// Entry k counts the vertices of valence k.
+std::vector<int> valenceHistogram(const NeuralMesh &mesh);
+
+/// Signed volume inside the mesh: negative where it is turned inside out.
+double signedVolume(const NeuralMesh &mesh);
+
+} // namespace neuralmesh

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The network, which is the mesh: VCG types with a neighbour ring in every vertex.
+#pragma once
+
+#include <vcg/complex/complex.h>
+
+#include "core/mesh/one_ring.h"
+
+namespace neuralmesh {
+
+using Scalar = double;
+using Point3 = vcg::Point3<Scalar>;
+using Box3 = vcg::Box3<Scalar>;
+
+class NeuralVertex;
+class NeuralFace;
+
+struct NeuralTypes
+    : vcg::UsedTypes<vcg::Use<NeuralVertex>::AsVertexType, vcg::Use<NeuralFace>::AsFaceType> {};
+
+class NeuralVertex : public vcg::Vertex<NeuralTypes, vcg::vertex::Coord3d, vcg::vertex::BitFlags,
+                                        component::OneRing> {};
+
+/// Faces are not kept while the network grows: rebuildFaces() makes them from the rings wherever
+/// something outside looks at the mesh.
+class NeuralFace : public vcg::Face<NeuralTypes, vcg::face::VertexRef, vcg::face::Normal3d,
+                                    vcg::face::FFAdj, vcg::face::Mark, vcg::face::BitFlags> {};
+
+class NeuralMesh : public vcg::tri::TriMesh<std::vector<NeuralVertex>, std::vector<NeuralFace>> {
+public:
+    // Not by cP(): before 2023, VCGlib's returns a copy, to which this would dangle.
+    const Point3 &position(VertexId v) const { return const_cast<NeuralVertex &>(vert[v]).P(); }
+    Point3 &position(VertexId v) { return vert[v].P(); }
+    const NeighbourRing &ring(VertexId v) const { return vert[v].cR(); }
+    NeighbourRing &ring(VertexId v) { return vert[v].R(); }
+    int valence(VertexId v) const { return vert[v].cR().size(); }
+    bool isLive(VertexId v) const { return v < vert.size() && !vert[v].IsD(); }
+
+    /// Slots in use or free: every id is below this.
+    VertexId idBound() const { return static_cast<VertexId>(vert.size()); }
+};
+
+} // namespace neuralmesh

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/network/growing_network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/mesh/ring_topology.h"
+#include "core/mesh/self_intersections.h"
+#include "core/network/edge_flips.h"
+#include "core/network/regular_collapses.h"
+#include "core/network/valences.h"
+#include "core/topology/tear_mending.h"
+#include "core/topology/unsupported_edges.h"
+#include "core/topology/web_removal.h"
+
+namespace neuralmesh {
+namespace {
+
+/// The window of step 6 is that of at least so many vertices. Around the first handful, in a long
+/// target, there may be vertices that win next to nothing: collapsed at once and split again, they
+/// would keep the network a tetrahedron for ever.
+constexpr int fewVertices = 50;
+
+/// Vertices from which whole webs are taken out. A coarser network spans everything.
+constexpr int webVertices = 1000;
+
+/// Tears mended at a time: each search costs as much as one for webs.
+constexpr int mostTears = 8;
+
+/// Vertices from which the network tells whether the target space is open: all limbs are found by
+/// then, and webs not yet taken out.
+constexpr int judgedVertices = 800;
+
+/// Share of the mesh's area that is far from all samples, at that size, from which the target space
+/// is taken for an open surface, whose closing sheet must stay. Measured: a scan of one side 0.39
+/// to 0.42; limbs and folds that are not parted yet 0.02 to 0.17.
+constexpr double shareOfOpenSurface = 0.25;
+
+/// How far around a sample other sheets are looked for, in mean lengths of the winner's edges.
+constexpr Scalar sheetDistance = 0.8;
+
+} // namespace
+
+GrowingNetwork::GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
+                               const GrowthParameters &parameters)
+    : parameters_(parameters), mesh_(startingMesh), grid_(bounds)
+{
+    for (VertexId v = 0; v < mesh_.idBound(); ++v) {
+        lastWin_.push_back(0);
+        if (!mesh_.isLive(v)) {
+            freeSlots_.push_back(v);
+            continue;
+        }
+        grid_.insert(v, mesh_.position(v));
+        counters_.insert(v, 0);
+    }
+    updateDecay();
+}
+
+VertexId GrowingNetwork::findWinner(const Point3 &sample)
+{
+    lastWinner_ = grid_.nearest(sample, lastWinner_);
+    return lastWinner_;
+}
+
+StarProjection GrowingNetwork::project(VertexId winner, const Point3 &sample) const
+{
+    StarProjection best = projectOnStar(mesh_, winner, sample);
+    const NeighbourRing &ring = mesh_.ring(winner);
+    Scalar edges = 0;
+    for (const VertexId u : ring)
+        edges += (mesh_.position(u) - mesh_.position(winner)).Norm();
+    const Scalar reach = std::max((mesh_.position(winner) - sample).Norm(),
+                                  sheetDistance * edges / static_cast<Scalar>(ring.size()));
+    grid_.forEachWithin(sample, reach, [&](VertexId v) {
+        if (v == winner || ring.contains(v))
+            return;
+        const StarProjection p = projectOnStar(mesh_, v, sample);
+        if (p.squaredDistance < best.squaredDistance)
+            best = p;
+    });
+    return best;
+}
+
+void GrowingNetwork::moveVertex(VertexId v, const Point3 &position)
+{
+    mesh_.position(v) = position;
+    grid_.move(v, position);
+}
+
+std::vector<VertexId> GrowingNetwork::findIntersectingVertices()
+{
+    return neuralmesh::findIntersectingVertices(mesh_);
+}
+
+void GrowingNetwork::evenValences()
+{
+    for (VertexId v = 0; v < mesh_.idBound(); ++v)
+        if (mesh_.isLive(v))
+            evenValencesAround(mesh_, v);
+}
+
+std::vector<VertexId> GrowingNetwork::exchangeIrregular()
+{
+    const auto isLow = [&](VertexId v) {
+        return mesh_.isLive(v) && mesh_.valence(v) < idealValence - 1;
+    };
+    const auto isHigh = [&](VertexId v) {
+        return mesh_.isLive(v) && mesh_.valence(v) > idealValence + 1;
+    };
+    const VertexId bound = mesh_.idBound();
+    int spared = 0;
+    int wanted = 0;
+    const auto spare = [&](VertexId v) {
+        if (const VertexId into = bestCollapseOnSurface(mesh_, v); into != noVertex) {
+            remove(v, into);
+            ++spared;
+        }
+    };
+    for (VertexId v = 0; v < bound; ++v) {
+        if (isLow(v))
+            spare(v);
+        wanted += isLow(v) || isHigh(v) ? 1 : 0;
+    }
+    for (const VertexId v : mostRegularCollapses(mesh_)) {
+        if (spared >= wanted)
+            break;
+        if (mesh_.valence(v) == idealValence - 1)
+            spare(v);
+    }
+    std::vector<VertexId> made;
+    for (VertexId v = 0; v < bound && spared > 0; ++v) {
+        const StarSplit star = isLow(v) ? bestRaisingSplit(mesh_, v) : StarSplit{};
+        if (star.vertex != noVertex)
+            made.push_back(splitStar(star, middleOfSpan(mesh_, star)));
+        else if (isHigh(v))
+            made.push_back(splitOff(v));
+        else
+            continue;
+        --spared;
+    }
+    for (; spared > 0; --spared)
+        made.push_back(splitMostActive());
+    return made;
+}
+
+void GrowingNetwork::adapt(VertexId winner, const Point3 &sample)
+{
+    Point3 &position = mesh_.position(winner);
+    position += (sample - position) * parameters_.winnerRate;
+    grid_.move(winner, position);
+
+    smoothNeighbours(winner);
+}
+
+void GrowingNetwork::smoothNeighbours(VertexId winner)
+{
+    // Normals and sums are taken once for all passes. Then a pass only follows what the smoothed
+    // vertices do to each other's sums, each to those of the two next to it on the ring: normals
+    // hardly turn, and other neighbours among them (chords of the ring) are rare.
+    const NeighbourRing &ring = mesh_.ring(winner);
+    const auto count = static_cast<std::size_t>(ring.size());
+    smoothed_.clear();
+    for (const VertexId v : ring)
+        smoothed_.push_back(neighbourhood(v));
+    for (int pass = 0; pass < parameters_.smoothingPasses; ++pass) {
+        for (Neighbourhood &v : smoothed_) {
+            const Point3 laplacian = v.sum * v.share - v.position;                   // equation 3
+            const Point3 tangential = laplacian - v.normal * (laplacian * v.normal); // equation 4
+            v.step = tangential * parameters_.smoothingRate;                         // equation 5
+            v.position += v.step;
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            smoothed_[i].sum += smoothed_[i + 1 < count ? i + 1 : 0].step +
+                                smoothed_[i > 0 ? i - 1 : count - 1].step;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        moveVertex(ring[static_cast<int>(i)], smoothed_[i].position);
+}
+
+GrowingNetwork::Neighbourhood GrowingNetwork::neighbourhood(VertexId v) const
+{
+    const NeighbourRing &ring = mesh_.ring(v);
+    const Point3 &centre = mesh_.position(v);
+    Point3 normal(0, 0, 0);
+    Point3 sum(0, 0, 0); // relative to the centre
+    Point3 previous = mesh_.position(ring[ring.size() - 1]) - centre;
+    for (const VertexId u : ring) {
+        const Point3 edge = mesh_.position(u) - centre;
+        normal += previous ^ edge;
+        sum += edge;
+        previous = edge;
+    }
+    const auto valence = static_cast<Scalar>(ring.size());
+    return {centre, sum + centre * valence, normal.Normalize(), {0, 0, 0}, 1 / valence};
+}
+
+Point3 GrowingNetwork::normal(VertexId v) const
+{
+    return neighbourhood(v).normal;
+}
+
+void GrowingNetwork::countSignal(VertexId winner, double amount)
+{
+    ++signals_;
+    lastWin_[winner] = signals_;
+    counters_.add(winner, amount);
+    counters_.decay(decayPerSignal_);
+}
+
+VertexId GrowingNetwork::splitMostActive()
+{
+    return splitOff(counters_.highest());
+}
+
+VertexId GrowingNetwork::splitOff(VertexId v)
+{
+    const int edge = longestEdge(mesh_, v);
+    return splitStar(parameters_.splitRule == SplitRule::paper ? halvingSplit(mesh_, v, edge)
+                                                               : balancedSplit(mesh_, v, edge),
+                     (mesh_.position(v) + mesh_.position(mesh_.ring(v)[edge])) / 2);
+}
+
+VertexId GrowingNetwork::splitStar(const StarSplit &star, const Point3 &position)
+{
+    const VertexId v = star.vertex;
+    const VertexId w = addVertex(mesh_, freeSlots_, position);
+    split(mesh_, v, star.first, star.last, w);
+    enrol(w);
+    shareCounter(v, w);
+    if (parameters_.edgeFlips) {
+        evenValencesAround(mesh_, v);
+        evenValencesAround(mesh_, w);
+    }
+    updateDecay();
+    return w;
+}
+
+void GrowingNetwork::shareCounter(VertexId v, VertexId w)
+{
+    const double counter = counters_.value(v);
+    const Scalar areaOfV = voronoiArea(v);
+    const Scalar areaOfW = voronoiArea(w);
+    const Scalar both = areaOfV + areaOfW;
+    const double share = both > 0 ? static_cast<double>(areaOfV / both) : 0.5;
+    counters_.set(v, counter * share);
+    counters_.set(w, counter * (1 - share));
+}
+
+Scalar GrowingNetwork::voronoiArea(VertexId v) const
+{
+    const NeighbourRing &ring = mesh_.ring(v);
+    Scalar sum = 0;
+    for (const VertexId u : ring)
+        sum += (mesh_.position(u) - mesh_.position(v)).Norm();
+    const Scalar averageEdge = sum / static_cast<Scalar>(ring.size());
+    return averageEdge * averageEdge;
+}
+
+std::uint64_t GrowingNetwork::inactivityWindow() const
+{
+    const int vertices = std::max(vertexCount(), fewVertices);
+    return static_cast<std::uint64_t>(parameters_.inactivityFactor) *
+           static_cast<std::uint64_t>(vertices);
+}
+
+bool GrowingNetwork::collapseIsDue() const
+{
+    return signals_ - lastCollapse_ >= inactivityWindow();
+}
+
+bool GrowingNetwork::isInactive(VertexId v) const
+{
+    return signals_ - lastWin_[v] >= inactivityWindow();
+}
+
+int GrowingNetwork::collapseInactive(const SampleSupport &support)
+{
+    lastCollapse_ = signals_;
+    std::vector<VertexId> inactive;
+    for (VertexId v = 0; v < mesh_.idBound(); ++v)
+        if (mesh_.isLive(v) && isInactive(v))
+            inactive.push_back(v);
+    return collapse(inactive, support);
+}
+
+int GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const SampleSupport &support)
+{
+    const int before = vertexCount();
+    judgeOpenness(support);
+    for (const VertexId v : vertices)
+        if (const VertexId into = bestCollapse(mesh_, v); into != noVertex)
+            remove(v, into);
+    if (!isOpen_) {
+        retractWebs(mesh_, support);
+        if (parameters_.splitRule == SplitRule::balanced && vertexCount() >= webVertices) {
+            removeWebs(support);
+            mendTears(support);
+        }
+    }
+    updateDecay();
+    return before - vertexCount();
+}
+
+/// Once. Webs of an open surface are its closing sheet, and would be laid onto its other side.
+void GrowingNetwork::judgeOpenness(const SampleSupport &support)
+{
+    if (isJudged_ || vertexCount() < judgedVertices)
+        return;
+    isOpen_ = unsupportedShare(mesh_, support) > shareOfOpenSurface;
+    isJudged_ = true;
+}
+
+void GrowingNetwork::removeWebs(const SampleSupport &support)
+{
+    for (const Refilling &web : findWebs(mesh_, support)) {
+        refillDisc(mesh_, web.rim, web.interior, web.triangles, freeSlots_);
+        for (const VertexId v : web.interior)
+            forget(v);
+    }
+}
+
+void GrowingNetwork::mendTears(const SampleSupport &support)
+{
+    for (int tear = 0; tear < mostTears; ++tear) {
+        const auto changes = mendTear(mesh_, support, parameters_.targetVertexCount, freeSlots_);
+        if (!changes)
+            return;
+        for (const VertexId v : changes->removed)
+            forget(v);
+        for (const VertexId v : changes->added)
+            enrol(v);
+    }
+}
+
+void GrowingNetwork::remove(VertexId v, VertexId into)
+{
+    neuralmesh::collapse(mesh_, v, into, freeSlots_);
+    forget(v);
+}
+
+void GrowingNetwork::enrol(VertexId v)
+{
+    grid_.insert(v, mesh_.position(v));
+    counters_.insert(v, 0);
+    if (v >= lastWin_.size())
+        lastWin_.resize(static_cast<std::size_t>(v) + 1);
+    lastWin_[v] = signals_;
+}
+
+void GrowingNetwork::forget(VertexId v)
+{
+    grid_.erase(v);
+    counters_.erase(v);
+}
+
+void GrowingNetwork::updateDecay()
+{
+    decayPerSignal_ = std::pow(parameters_.counterDecay, 1.0 / vertexCount());
+}
+
+} // namespace neuralmesh

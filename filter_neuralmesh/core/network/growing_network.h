@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The growing network: steps 2 to 6 of the paper, one public function each.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/growth_parameters.h"
+#include "core/mesh/neural_mesh.h"
+#include "core/network/signal_counters.h"
+#include "core/network/star_projection.h"
+#include "core/network/star_splits.h"
+#include "core/space/vertex_grid.h"
+#include "core/topology/sample_support.h"
+
+namespace neuralmesh {
+
+/// Owns the mesh, the nearest-neighbour index of its vertices and their signal counters, and keeps
+/// the three in step.
+class GrowingNetwork {
+public:
+    /// Starts from a closed manifold mesh in the unit frame; `bounds` are those of the samples.
+    GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
+                   const GrowthParameters &parameters);
+
+    const NeuralMesh &mesh() const { return mesh_; }
+    int vertexCount() const { return mesh_.vn; }
+    /// Signals counted so far.
+    std::uint64_t signals() const { return signals_; }
+
+    /// Step 2: the vertex nearest to the sample. Fast where the sample is near the last one.
+    VertexId findWinner(const Point3 &sample);
+
+    /// The point of the mesh nearest to the sample, given its winner. Looks at the winner's star
+    /// and at those of other vertices near the sample: where two sheets run close to each other,
+    /// the nearest vertex may lie on one and the nearest face on the other.
+    StarProjection project(VertexId winner, const Point3 &sample) const;
+
+    /// Unit normal of a vertex, outwards: the sum of its faces' normals, weighted by area. Zero
+    /// where the star has no area.
+    Point3 normal(VertexId v) const;
+
+    /// Moves a vertex to another place.
+    void moveVertex(VertexId v, const Point3 &position);
+
+    /// The corners of all faces that intersect another.
+    std::vector<VertexId> findIntersectingVertices();
+
+    /// Flips edges all over the mesh where that evens out the valences or widens angles.
+    void evenValences();
+
+    /// Exchanges vertices so that fewer have a valence below 5 or above 7. Those of valence 3 and 4
+    /// are removed by edge collapses that keep the surface, and as many others as are needed, where
+    /// that evens out valences. Instead, those of 8 or more are split, and neighbours of those of 3
+    /// or 4 that must stay; then the most active. Returns the new ones; the count stays.
+    std::vector<VertexId> exchangeIrregular();
+
+    /// Step 3: moves the winner towards the sample (equation 2) and smooths its neighbours within
+    /// their tangent planes (equations 3 to 5).
+    void adapt(VertexId winner, const Point3 &sample);
+
+    /// Step 4: counts the signal for the winner and decays all counters (equations 6 and 7). In the
+    /// paper every signal counts 1.
+    void countSignal(VertexId winner, double amount = 1);
+
+    /// Step 5: splits the vertex with the highest counter along its longest edge.
+    VertexId splitMostActive();
+
+    /// Step 6: removes every vertex that has not won in the last μ·n signals by the edge collapse
+    /// with the least regularity error (equation 9). A vertex none of whose edges may collapse
+    /// stays. Returns how many were removed.
+    int collapseInactive(const SampleSupport &support);
+
+    /// Removes these vertices in the same way, then the webs that this leaves. Returns how many
+    /// vertices fewer there are.
+    int collapse(const std::vector<VertexId> &vertices, const SampleSupport &support);
+
+    /// μ·n signals: a vertex that wins none of so many is inactive.
+    std::uint64_t inactivityWindow() const;
+
+    /// Whether the next collapseInactive() is due: μ·n signals after the last.
+    bool collapseIsDue() const;
+
+    /// Whether the target space was found to be an open surface, from a share of the mesh that no
+    /// sample supports. Then webs are left alone: one is the sheet that closes it.
+    bool isOpenSurface() const { return isOpen_; }
+
+private:
+    /// What smoothing needs of a vertex.
+    struct Neighbourhood {
+        Point3 position;
+        Point3 sum; ///< of the neighbours' positions
+        Point3 normal;
+        Point3 step;  ///< of the last pass
+        Scalar share; ///< of one neighbour in the mean: 1 / valence
+    };
+
+    VertexId splitOff(VertexId v);
+    VertexId splitStar(const StarSplit &star, const Point3 &position);
+    void smoothNeighbours(VertexId winner);
+    Neighbourhood neighbourhood(VertexId v) const;
+    void shareCounter(VertexId v, VertexId w);
+    Scalar voronoiArea(VertexId v) const;
+    bool isInactive(VertexId v) const;
+    void remove(VertexId v, VertexId into);
+    void judgeOpenness(const SampleSupport &support);
+    void removeWebs(const SampleSupport &support);
+    void mendTears(const SampleSupport &support);
+    void enrol(VertexId v);
+    void forget(VertexId v);
+    void updateDecay();
+
+    GrowthParameters parameters_;
+    NeuralMesh &mesh_;
+    VertexGrid grid_;
+    SignalCounters counters_;
+    std::vector<std::uint64_t> lastWin_; ///< by id: signals_ when the vertex last won or was made
+    std::vector<VertexId> freeSlots_;
+    std::vector<Neighbourhood> smoothed_; ///< scratch of smoothNeighbours()
+    double decayPerSignal_ = 1;
+    std::uint64_t signals_ = 0;
+    std::uint64_t lastCollapse_ = 0;
+    VertexId lastWinner_ = noVertex;
+    bool isJudged_ = false; ///< whether isOpen_ is known
+    bool isOpen_ = false;
+};
+
+} // namespace neuralmesh

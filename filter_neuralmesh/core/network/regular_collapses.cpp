@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/network/regular_collapses.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/mesh/ring_topology.h"
+#include "core/mesh/triangle.h"
+#include "core/network/star_projection.h"
+#include "core/network/valences.h"
+
+namespace neuralmesh {
+namespace {
+
+/// Cosines of the largest turn of a face, 35 degrees, and of an angle that is good enough, 20.
+constexpr Scalar mostTurnCosine = 0.819;
+constexpr Scalar goodAngleCosine = 0.940;
+
+/// How far the vertex that goes may stand out from the faces that are left, in lengths of the edge
+/// that collapses: a limb's tip stays.
+constexpr Scalar mostHeight = 0.2;
+
+/// Whether the faces of v, with v moved to its neighbour u, are as good as before.
+bool collapseKeepsSurface(const NeuralMesh &mesh, VertexId v, VertexId u)
+{
+    const NeighbourRing &ring = mesh.ring(v);
+    Scalar sliverBefore = 0;
+    Scalar sliverAfter = 0;
+    Scalar height = std::numeric_limits<Scalar>::infinity(); // squared
+    for (int i = 0; i < ring.size(); ++i) {
+        const Point3 &a = mesh.position(ring[i]);
+        const Point3 &b = mesh.position(ring[ring.next(i)]);
+        const Triangle before{mesh.position(v), a, b};
+        sliverBefore = std::max(sliverBefore, cosineOfSmallestAngle(before));
+        if (ring[i] == u || ring[ring.next(i)] == u)
+            continue;
+        const Triangle after{mesh.position(u), a, b};
+        sliverAfter = std::max(sliverAfter, cosineOfSmallestAngle(after));
+        if (!(unitNormal(before) * unitNormal(after) > mostTurnCosine))
+            return false;
+        height = std::min(height, squaredDistanceTo(after, mesh.position(v)));
+    }
+    if (height > mostHeight * mostHeight * (mesh.position(u) - mesh.position(v)).SquaredNorm())
+        return false;
+    return sliverAfter <= std::max(sliverBefore, goodAngleCosine);
+}
+
+template <class MayCollapse>
+VertexId leastRegularityError(const NeuralMesh &mesh, VertexId v, MayCollapse mayCollapse)
+{
+    VertexId best = noVertex;
+    int least = std::numeric_limits<int>::max();
+    for (const VertexId u : mesh.ring(v)) {
+        const OppositeVertices opposite = oppositeVertices(mesh, v, u);
+        // Equation 9 without its root and factor, which keep the order.
+        const int error = squared(mesh.valence(v) + mesh.valence(u) - 10) +
+                          squared(mesh.valence(opposite.left) - 7) +
+                          squared(mesh.valence(opposite.right) - 7);
+        if (error < least && canCollapse(mesh, v, u) && mayCollapse(u)) {
+            least = error;
+            best = u;
+        }
+    }
+    return best;
+}
+
+/// By how much the collapse of v into u lowers the sum of (valence - 6)².
+int gainOfCollapse(const NeuralMesh &mesh, VertexId v, VertexId u)
+{
+    int gain = valenceSpread(mesh.valence(v)) + valenceSpread(mesh.valence(u)) -
+               valenceSpread(mesh.valence(v) + mesh.valence(u) - 4);
+    const OppositeVertices opposite = oppositeVertices(mesh, v, u);
+    for (const VertexId x : {opposite.left, opposite.right})
+        gain += valenceSpread(mesh.valence(x)) - valenceSpread(mesh.valence(x) - 1);
+    return gain;
+}
+
+} // namespace
+
+std::vector<VertexId> mostRegularCollapses(const NeuralMesh &mesh)
+{
+    std::vector<std::pair<int, VertexId>> found; // the gain, negative: the most comes first
+    for (VertexId v = 0; v < mesh.idBound(); ++v) {
+        if (!mesh.isLive(v) || mesh.valence(v) != idealValence - 1)
+            continue;
+        const VertexId into = bestCollapse(mesh, v);
+        if (into == noVertex)
+            continue;
+        if (const int gain = gainOfCollapse(mesh, v, into); gain > 0)
+            found.emplace_back(-gain, v);
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<VertexId> vertices;
+    for (const auto &[gain, v] : found)
+        vertices.push_back(v);
+    return vertices;
+}
+
+VertexId bestCollapse(const NeuralMesh &mesh, VertexId v)
+{
+    return leastRegularityError(mesh, v, [](VertexId) { return true; });
+}
+
+VertexId bestCollapseOnSurface(const NeuralMesh &mesh, VertexId v)
+{
+    return leastRegularityError(mesh, v,
+                                [&](VertexId u) { return collapseKeepsSurface(mesh, v, u); });
+}
+
+} // namespace neuralmesh

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/network/star_projection.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace neuralmesh {
+namespace {
+
+struct Barycentric {
+    Scalar a, b, c;
+};
+
+Scalar ratio(Scalar part, Scalar whole)
+{
+    return whole > 0 ? std::clamp(part / whole, Scalar(0), Scalar(1)) : Scalar(0);
+}
+
+/// Coordinates of the point of the triangle (0, b, c) that is nearest to p. The corner, edge or
+/// interior whose Voronoi region holds p is found from dot products alone.
+Barycentric nearestOnTriangle(const Point3 &b, const Point3 &c, const Point3 &p)
+{
+    const Scalar d1 = b * p;
+    const Scalar d2 = c * p;
+    if (d1 <= 0 && d2 <= 0)
+        return {1, 0, 0};
+    const Scalar bb = b * b;
+    const Scalar bc = b * c;
+    const Scalar cc = c * c;
+    const Scalar d3 = d1 - bb;
+    const Scalar d4 = d2 - bc;
+    if (d3 >= 0 && d4 <= d3)
+        return {0, 1, 0};
+    const Scalar outsideC = d1 * d4 - d3 * d2;
+    if (outsideC <= 0 && d1 >= 0 && d3 <= 0) {
+        const Scalar t = ratio(d1, d1 - d3);
+        return {1 - t, t, 0};
+    }
+    const Scalar d5 = d1 - bc;
+    const Scalar d6 = d2 - cc;
+    if (d6 >= 0 && d5 <= d6)
+        return {0, 0, 1};
+    const Scalar outsideB = d5 * d2 - d1 * d6;
+    if (outsideB <= 0 && d2 >= 0 && d6 <= 0) {
+        const Scalar t = ratio(d2, d2 - d6);
+        return {1 - t, 0, t};
+    }
+    const Scalar outsideA = d3 * d6 - d5 * d4;
+    if (outsideA <= 0 && d4 >= d3 && d5 >= d6) {
+        const Scalar t = ratio(d4 - d3, (d4 - d3) + (d5 - d6));
+        return {0, 1 - t, t};
+    }
+    const Scalar sum = outsideA + outsideB + outsideC;
+    if (!(sum > 0)) // a degenerate face
+        return {1, 0, 0};
+    return {outsideA / sum, outsideB / sum, outsideC / sum};
+}
+
+} // namespace
+
+StarProjection projectOnStar(const NeuralMesh &mesh, VertexId v, const Point3 &query)
+{
+    const NeighbourRing &ring = mesh.ring(v);
+    const Point3 &centre = mesh.position(v);
+    const Point3 target = query - centre;
+    StarProjection best{};
+    best.squaredDistance = std::numeric_limits<Scalar>::infinity();
+    VertexId a = ring[ring.size() - 1];
+    Point3 toA = mesh.position(a) - centre;
+    for (const VertexId b : ring) {
+        const Point3 toB = mesh.position(b) - centre;
+        const Barycentric w = nearestOnTriangle(toA, toB, target);
+        const Point3 residual = target - toA * w.b - toB * w.c;
+        const Scalar d = residual.SquaredNorm();
+        if (d < best.squaredDistance)
+            best = {{v, a, b}, {w.a, w.b, w.c}, residual, d};
+        a = b;
+        toA = toB;
+    }
+    return best;
+}
+
+Scalar squaredDistanceTo(const Triangle &t, const Point3 &query)
+{
+    const Point3 toB = t.b - t.a;
+    const Point3 toC = t.c - t.a;
+    const Point3 target = query - t.a;
+    const Barycentric w = nearestOnTriangle(toB, toC, target);
+    return (target - toB * w.b - toC * w.c).SquaredNorm();
+}
+
+} // namespace neuralmesh

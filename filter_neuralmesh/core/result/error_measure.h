@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/network/growing_network.h"
+#include "core/random.h"
+#include "core/sampler.h"
+
+namespace neuralmesh {
+
+/// Distances of samples of the target space from the mesh, in the unit frame.
+struct ErrorFigures {
+    double rms = 0;
+    double largest = 0;
+};
+
+/// Draws `samplesPerVertex` samples for each vertex and takes their distances from the faces around
+/// the nearest vertex and its neighbours.
+ErrorFigures measureError(GrowingNetwork &network, const Sampler &sampler, Random &random,
+                          std::size_t samplesPerVertex);
+
+} // namespace neuralmesh

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/mesh/neural_mesh.h"
+
+namespace neuralmesh {
+
+/// Sorts points along a Morton (Z-order) curve over the bounds, so that points which follow each
+/// other are near each other: what a batch of samples touches stays in cache, and one winner is a
+/// good guess for the next. Points with the same key keep their order.
+class MortonOrder {
+public:
+    explicit MortonOrder(const Box3 &bounds);
+    void sort(std::vector<Point3> &points);
+
+private:
+    std::uint32_t key(const Point3 &point) const;
+    void sortByKey();
+
+    Point3 origin_;
+    Scalar cellsPerUnit_;
+    std::vector<std::uint64_t> keyed_; ///< key and place of each point, scratch
+    std::vector<std::uint64_t> moved_; ///< scratch
+    std::vector<Point3> sorted_;       ///< scratch
+};
+
+} // namespace neuralmesh

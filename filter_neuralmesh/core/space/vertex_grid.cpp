@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/vertex_grid.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace neuralmesh {
+namespace {
+
+/// Cell of a coordinate, clamped into the grid. Clamping is monotone, so a range of coordinates
+/// never misses the clamped cell of a point inside the range.
+int clampedCell(Scalar coordinate, Scalar origin, Scalar cellsPerUnit, int cells)
+{
+    const Scalar place = (coordinate - origin) * cellsPerUnit;
+    if (!(place > 0))
+        return 0;
+    return place < static_cast<Scalar>(cells) ? static_cast<int>(place) : cells - 1;
+}
+
+double cellsAlong(double extent, double cellSize)
+{
+    return std::max(1.0, std::ceil(extent / cellSize));
+}
+
+} // namespace
+
+VertexGrid::VertexGrid(const Box3 &bounds) : bounds_(bounds)
+{
+    layOutCells(1);
+}
+
+VertexGrid::CellCoordinates VertexGrid::coordinates(const Point3 &position) const
+{
+    return {clampedCell(position.X(), bounds_.min.X(), cellsPerUnit_, cellsX_),
+            clampedCell(position.Y(), bounds_.min.Y(), cellsPerUnit_, cellsY_),
+            clampedCell(position.Z(), bounds_.min.Z(), cellsPerUnit_, cellsZ_)};
+}
+
+VertexGrid::CellId VertexGrid::cellAt(const CellCoordinates &c) const
+{
+    return static_cast<CellId>((static_cast<std::size_t>(c.z) * static_cast<std::size_t>(cellsY_) +
+                                static_cast<std::size_t>(c.y)) *
+                                   static_cast<std::size_t>(cellsX_) +
+                               static_cast<std::size_t>(c.x));
+}
+
+void VertexGrid::link(VertexId id, CellId cell)
+{
+    Entry &entry = entries_[id];
+    entry.cell = cell;
+    entry.previous = noVertex;
+    entry.next = firstInCell_[cell];
+    if (entry.next != noVertex)
+        entries_[entry.next].previous = id;
+    firstInCell_[cell] = id;
+}
+
+void VertexGrid::unlink(VertexId id)
+{
+    const Entry &entry = entries_[id];
+    if (entry.previous != noVertex)
+        entries_[entry.previous].next = entry.next;
+    else
+        firstInCell_[entry.cell] = entry.next;
+    if (entry.next != noVertex)
+        entries_[entry.next].previous = entry.previous;
+}
+
+void VertexGrid::insert(VertexId id, const Point3 &position)
+{
+    assert(!contains(id));
+    if (id >= entries_.size())
+        entries_.resize(static_cast<std::size_t>(id) + 1);
+    entries_[id].position = position;
+    link(id, cellAt(coordinates(position)));
+    ++size_;
+    regridIfNeeded();
+}
+
+void VertexGrid::move(VertexId id, const Point3 &position)
+{
+    assert(contains(id));
+    Entry &entry = entries_[id];
+    entry.position = position;
+    const CellId cell = cellAt(coordinates(position));
+    if (cell == entry.cell)
+        return;
+    unlink(id);
+    link(id, cell);
+}
+
+void VertexGrid::erase(VertexId id)
+{
+    assert(contains(id));
+    unlink(id);
+    entries_[id].cell = noCell;
+    --size_;
+}
+
+void VertexGrid::regridIfNeeded()
+{
+    if (size_ < 2 * sizeAtRebuild_ + 8)
+        return;
+    layOutCells(static_cast<std::size_t>(cellsPerVertex * static_cast<double>(size_)));
+    sizeAtRebuild_ = size_;
+    for (VertexId id = 0; id < entries_.size(); ++id)
+        if (entries_[id].cell != noCell)
+            link(id, cellAt(coordinates(entries_[id].position)));
+}
+
+void VertexGrid::layOutCells(std::size_t cellCount)
+{
+    // The cell size at which about cellCount cubes fill the bounds, found by bisection because
+    // thin bounds hold a single layer.
+    const Point3 extent = bounds_.IsNull() ? Point3(0, 0, 0) : bounds_.Dim();
+    const double widest = std::max({extent.X(), extent.Y(), extent.Z(), 1e-30});
+    double low = widest / static_cast<double>(cellCount + 1);
+    double high = widest;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        const double cells = cellsAlong(extent.X(), middle) * cellsAlong(extent.Y(), middle) *
+                             cellsAlong(extent.Z(), middle);
+        (cells > static_cast<double>(cellCount) ? low : high) = middle;
+    }
+    cellsPerUnit_ = 1 / high;
+    cellsX_ = static_cast<int>(cellsAlong(extent.X(), high));
+    cellsY_ = static_cast<int>(cellsAlong(extent.Y(), high));
+    cellsZ_ = static_cast<int>(cellsAlong(extent.Z(), high));
+    firstInCell_.assign(static_cast<std::size_t>(cellsX_) * static_cast<std::size_t>(cellsY_) *
+                            static_cast<std::size_t>(cellsZ_),
+                        noVertex);
+}
+
+void VertexGrid::improve(CellId cell, const Point3 &query, Candidate &best) const
+{
+    for (VertexId id = firstInCell_[cell]; id != noVertex; id = entries_[id].next) {
+        const Scalar d = (entries_[id].position - query).SquaredNorm();
+        if (d < best.squaredDistance || (d == best.squaredDistance && id < best.id))
+            best = {d, id};
+    }
+}
+
+/// The cells, each with its least distance from the query, in cubes of growing size around it:
+/// until a cube is further than the best that was found.
+class VertexGrid::Shells {
+public:
+    Shells(const VertexGrid &grid, const Point3 &query)
+        : grid_(grid), query_(query), centre_(grid.coordinates(query)),
+          x_(grid, query.X() - grid.bounds_.min.X(), centre_.x, grid.cellsX_),
+          y_(grid, query.Y() - grid.bounds_.min.Y(), centre_.y, grid.cellsY_),
+          z_(grid, query.Z() - grid.bounds_.min.Z(), centre_.z, grid.cellsZ_)
+    {
+    }
+
+    void search(Candidate &best) const
+    {
+        grid_.improve(grid_.cellAt(centre_), query_, best);
+        for (int reach = 1;; ++reach) {
+            const Scalar least =
+                std::min({x_.leastAt(reach), y_.leastAt(reach), z_.leastAt(reach)});
+            if (least > best.squaredDistance || std::isinf(least))
+                return;
+            searchShell(reach, best);
+        }
+    }
+
+private:
+    /// One axis of the grid.
+    class Axis {
+    public:
+        Axis(const VertexGrid &grid, Scalar offset, int centre, int cells)
+            : fromLower_(offset - static_cast<Scalar>(centre) / grid.cellsPerUnit_),
+              cellSize_(1 / grid.cellsPerUnit_), lowest_(-centre), highest_(cells - 1 - centre),
+              slack_(rounding * std::max(static_cast<Scalar>(cells) * cellSize_, std::abs(offset)))
+        {
+        }
+
+        int lowest() const { return lowest_; }
+        int highest() const { return highest_; }
+
+        /// Of cells so many further: the least squared distance from the query along the axis.
+        Scalar squaredDistance(int step) const
+        {
+            if (step == 0)
+                return 0;
+            const Scalar d = step > 0 ? static_cast<Scalar>(step) * cellSize_ - fromLower_
+                                      : fromLower_ - static_cast<Scalar>(step + 1) * cellSize_;
+            return d > slack_ ? (d - slack_) * (d - slack_) : 0;
+        }
+
+        /// Of cells so many further to either side; infinite where there are none.
+        Scalar leastAt(int reach) const
+        {
+            constexpr Scalar none = std::numeric_limits<Scalar>::infinity();
+            return std::min(reach <= highest_ ? squaredDistance(reach) : none,
+                            -reach >= lowest_ ? squaredDistance(-reach) : none);
+        }
+
+    private:
+        /// The rounding of coordinates must not lose a vertex at the border of its cell.
+        static constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();
+
+        Scalar fromLower_; ///< of the query's own cell
+        Scalar cellSize_;
+        int lowest_, highest_; ///< steps within the grid
+        Scalar slack_;
+    };
+
+    void searchShell(int reach, Candidate &best) const
+    {
+        for (int z = std::max(-reach, z_.lowest()); z <= std::min(reach, z_.highest()); ++z) {
+            const Scalar ofZ = z_.squaredDistance(z);
+            if (ofZ > best.squaredDistance)
+                continue;
+            for (int y = std::max(-reach, y_.lowest()); y <= std::min(reach, y_.highest()); ++y) {
+                const Scalar ofRow = ofZ + y_.squaredDistance(y);
+                if (ofRow > best.squaredDistance)
+                    continue;
+                const bool isFace = std::abs(z) == reach || std::abs(y) == reach;
+                searchRow(y, z, reach, isFace ? 1 : 2 * reach, ofRow, best);
+            }
+        }
+    }
+
+    void searchRow(int y, int z, int reach, int stride, Scalar ofRow, Candidate &best) const
+    {
+        for (int x = -reach; x <= reach; x += stride)
+            if (x >= x_.lowest() && x <= x_.highest() &&
+                ofRow + x_.squaredDistance(x) <= best.squaredDistance)
+                grid_.improve(grid_.cellAt({centre_.x + x, centre_.y + y, centre_.z + z}), query_,
+                              best);
+    }
+
+    const VertexGrid &grid_;
+    const Point3 &query_;
+    const CellCoordinates centre_;
+    const Axis x_, y_, z_;
+};
+
+VertexId VertexGrid::nearest(const Point3 &query, VertexId hint) const
+{
+    if (size_ == 0)
+        return noVertex;
+    Candidate best{std::numeric_limits<Scalar>::infinity(), noVertex};
+    if (contains(hint))
+        best = {(entries_[hint].position - query).SquaredNorm(), hint};
+    Shells(*this, query).search(best);
+    return best.id;
+}
+
+bool VertexGrid::countDown(CellId cell, const Point3 &query, Scalar squaredRadius, int &count) const
+{
+    for (VertexId id = firstInCell_[cell]; id != noVertex; id = entries_[id].next)
+        if ((entries_[id].position - query).SquaredNorm() <= squaredRadius && --count <= 0)
+            return true;
+    return false;
+}
+
+bool VertexGrid::hasWithin(const Point3 &query, Scalar radius, int count) const
+{
+    const Scalar squaredRadius = radius * radius;
+    const CellId own = cellAt(coordinates(query));
+    if (countDown(own, query, squaredRadius, count))
+        return true;
+    const CellCoordinates low = coordinates(query - Point3(radius, radius, radius));
+    const CellCoordinates high = coordinates(query + Point3(radius, radius, radius));
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x)
+                if (const CellId cell = cellAt({x, y, z});
+                    cell != own && countDown(cell, query, squaredRadius, count))
+                    return true;
+    return false;
+}
+
+} // namespace neuralmesh

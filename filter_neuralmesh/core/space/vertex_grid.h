@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dynamic nearest-neighbour index of step 2: a uniform grid that follows moving vertices.
+//
+// The paper uses an octree. A grid serves better here because the network spreads its vertices
+// evenly over the target, so one cell size fits all, and moving within a cell costs a store.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/mesh/neural_mesh.h"
+
+namespace neuralmesh {
+
+class VertexGrid {
+public:
+    /// Cells for each vertex at the time of a rebuild; findWinner in bench/bench_steps.cpp times
+    /// it.
+    static constexpr double cellsPerVertex = 4;
+
+    /// Points may lie outside the bounds: they go to the outermost cells, where they cost time
+    /// but no exactness.
+    explicit VertexGrid(const Box3 &bounds);
+
+    void insert(VertexId id, const Point3 &position);
+    void move(VertexId id, const Point3 &position);
+    void erase(VertexId id);
+
+    bool contains(VertexId id) const { return id < entries_.size() && entries_[id].cell != noCell; }
+    std::size_t size() const { return size_; }
+
+    /// The vertex nearest to the query, the lowest id of several at the same distance, or noVertex
+    /// in an empty grid. A hint, any vertex that may be near, saves time and changes nothing.
+    VertexId nearest(const Point3 &query, VertexId hint = noVertex) const;
+
+    /// Whether at least `count` vertices lie within the radius, the border included.
+    bool hasWithin(const Point3 &query, Scalar radius, int count = 1) const;
+
+    /// Calls visit(id) for each vertex within the radius, the border included.
+    template <class Visit>
+    void forEachWithin(const Point3 &query, Scalar radius, const Visit &visit) const
+    {
+        const CellCoordinates low = coordinates(query - Point3(radius, radius, radius));
+        const CellCoordinates high = coordinates(query + Point3(radius, radius, radius));
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x)
+                    for (VertexId id = firstInCell_[cellAt({x, y, z})]; id != noVertex;
+                         id = entries_[id].next)
+                        if ((entries_[id].position - query).SquaredNorm() <= radius * radius)
+                            visit(id);
+    }
+
+private:
+    using CellId = std::uint32_t;
+    static constexpr CellId noCell = 0xffffffffU;
+
+    /// A vertex in the doubly linked list of its cell. Holds its position so that a search reads
+    /// one cache line a vertex.
+    struct Entry {
+        Point3 position;
+        VertexId next = noVertex;
+        VertexId previous = noVertex;
+        CellId cell = noCell;
+    };
+
+    struct CellCoordinates {
+        int x, y, z;
+    };
+
+    struct Candidate {
+        Scalar squaredDistance;
+        VertexId id;
+    };
+
+    class Shells;
+
+    CellCoordinates coordinates(const Point3 &position) const;
+    CellId cellAt(const CellCoordinates &c) const;
+    void link(VertexId id, CellId cell);
+    void unlink(VertexId id);
+    void regridIfNeeded();
+    void layOutCells(std::size_t cellCount);
+    void improve(CellId cell, const Point3 &query, Candidate &best) const;
+    /// Takes the vertices of a cell within the radius off `count`; whether none is left to find.
+    bool countDown(CellId cell, const Point3 &query, Scalar squaredRadius, int &count) const;
+
+    Box3 bounds_;
+    Scalar cellsPerUnit_ = 1;
+    int cellsX_ = 1, cellsY_ = 1, cellsZ_ = 1;
+    std::vector<VertexId> firstInCell_;
+    std::vector<Entry> entries_;
+    std::size_t size_ = 0;
+    std::size_t sizeAtRebuild_ = 0;
+};
+
+} // namespace neuralmesh

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the target space is: a set of its samples that can be asked for the nearest.
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/neural_mesh.h"
+#include "core/space/vertex_grid.h"
+
+namespace neuralmesh {
+
+class SampleSupport {
+public:
+    /// Needs at least one sample. Where even all points of the target space are sparse, `widening`
+    /// makes up for it.
+    SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples, Scalar widening = 1);
+
+    /// Whether a sample lies within the radius, times the widening.
+    bool hasWithin(const Point3 &place, Scalar radius) const;
+
+    const Point3 &nearest(const Point3 &place) const { return samples_[grid_.nearest(place)]; }
+    Scalar squaredDistance(const Point3 &place) const
+    {
+        return (nearest(place) - place).SquaredNorm();
+    }
+
+private:
+    std::vector<Point3> samples_;
+    VertexGrid grid_;
+    Scalar widening_;
+};
+
+} // namespace neuralmesh

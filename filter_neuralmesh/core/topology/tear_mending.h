@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mends torn limbs: a bridge across the tear, and a cut through the strand that held the limb.
+//
+// A coarse network may cut a limb through and close both stumps, while a strand joins it to the
+// body elsewhere: a closed surface of the right genus all the same. No change of one disc can mend
+// that. Two do: the facing stumps are joined by a band along the samples, which makes a handle, and
+// the handle is cut where that costs least and both ends are closed.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/mesh/neural_mesh.h"
+#include "core/topology/sample_support.h"
+
+namespace neuralmesh {
+
+struct TearChanges {
+    std::vector<VertexId> removed; ///< their slots are free again, and some are taken by `added`
+    std::vector<VertexId> added;
+};
+
+/// Mends one tear where that brings faces and samples nearer to each other; the mesh keeps its
+/// genus and its components and gets no more than `mostVertices` vertices. Returns what changed,
+/// or nothing where no tear was found that could be mended.
+std::optional<TearChanges> mendTear(NeuralMesh &mesh, const SampleSupport &support,
+                                    int mostVertices, std::vector<VertexId> &freeSlots);
+
+} // namespace neuralmesh

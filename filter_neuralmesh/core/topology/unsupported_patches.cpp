@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/topology/unsupported_patches.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace neuralmesh {
+namespace {
+
+/// Distance of an edge's middle from all samples, in lengths of the edge, from which the edge is
+/// far. On a surface, the height of the arc over an edge is far less; across a gap the distance is
+/// up to half the edge.
+constexpr Scalar farDistance = 0.35;
+
+/// Supported islands in a patch are filled up to this size: a few faces, and half the patch.
+constexpr std::size_t smallIsland = 10;
+/// Filling a pinch may make an island, and the other way round.
+constexpr int fillingRounds = 6;
+
+} // namespace
+
+PatchSearch::PatchSearch(const NeuralMesh &mesh, const FaceTable &faces,
+                         const SampleSupport &support)
+    : mesh_(mesh), faces_(faces), isFar_(3 * static_cast<std::size_t>(faces.size()), 0),
+      isSeed_(faces.size(), 0), patchOf_(faces.size(), none), seenBy_(faces.size(), 0)
+{
+    judgeEdges(support);
+}
+
+void PatchSearch::judgeEdges(const SampleSupport &support)
+{
+    for (FaceId face = 0; face < faces_.size(); ++face)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const VertexId a = faces_.corners(face)[k];
+            const VertexId b = faces_.corners(face)[(k + 1) % 3];
+            if (b < a) // judged from its other face
+                continue;
+            const Point3 middle = (mesh_.position(a) + mesh_.position(b)) / 2;
+            const Scalar length = (mesh_.position(a) - mesh_.position(b)).Norm();
+            if (support.hasWithin(middle, farDistance * length))
+                continue;
+            const FaceId other = faces_.leftOf(b, a);
+            const Corners &corners = faces_.corners(other);
+            const auto start = std::find(corners.begin(), corners.end(), b) - corners.begin();
+            isFar_[3 * face + k] = 1;
+            isFar_[3 * other + static_cast<std::size_t>(start)] = 1;
+            isSeed_[face] = 1;
+            isSeed_[other] = 1;
+        }
+}
+
+std::optional<Patch> PatchSearch::find(FaceId seed, PatchExtent extent)
+{
+    ++patch_;
+    std::vector<FaceId> patch{seed};
+    patchOf_[seed] = patch_;
+    spread(patch, 0);
+    if (extent == PatchExtent::dilated)
+        dilate(patch);
+    if (fillPinchesAndIslands(patch))
+        if (std::optional<Patch> found = outline(patch))
+            return found;
+    forget(patch);
+    return std::nullopt;
+}
+
+void PatchSearch::release(const Patch &patch)
+{
+    forget(patch.faces);
+}
+
+void PatchSearch::forget(const std::vector<FaceId> &patch)
+{
+    for (const FaceId face : patch)
+        patchOf_[face] = none;
+}
+
+/// Whether the face is in the patch now: it may belong to another.
+bool PatchSearch::add(FaceId face, std::vector<FaceId> &patch)
+{
+    if (patchOf_[face] == none) {
+        patchOf_[face] = patch_;
+        patch.push_back(face);
+    }
+    return patchOf_[face] == patch_;
+}
+
+/// Across far edges of the patch's faces, from the face at place `from` on.
+void PatchSearch::spread(std::vector<FaceId> &patch, std::size_t from)
+{
+    for (std::size_t i = from; i < patch.size(); ++i) {
+        const Corners corners = faces_.corners(patch[i]);
+        for (std::size_t k = 0; k < 3; ++k)
+            if (isFar_[3 * patch[i] + k] != 0)
+                add(faces_.leftOf(corners[(k + 1) % 3], corners[k]), patch);
+    }
+}
+
+/// One row of faces more, and what these spread to.
+void PatchSearch::dilate(std::vector<FaceId> &patch)
+{
+    const std::size_t before = patch.size();
+    for (std::size_t i = 0; i < before; ++i)
+        for (const VertexId v : faces_.corners(patch[i]))
+            for (int place = 0; place < mesh_.valence(v); ++place)
+                add(faces_.around(v, place), patch);
+    spread(patch, before);
+}
+
+/// False where faces of another patch are in the way, or there is no end to it.
+bool PatchSearch::fillPinchesAndIslands(std::vector<FaceId> &patch)
+{
+    for (int round = 0; round < fillingRounds; ++round) {
+        bool changed = false;
+        if (!fillPinches(patch, changed) || !fillIslands(patch, changed))
+            return false;
+        if (!changed)
+            return true;
+    }
+    return false;
+}
+
+/// Adds all faces around vertices at which the patch touches itself.
+bool PatchSearch::fillPinches(std::vector<FaceId> &patch, bool &changed)
+{
+    for (std::size_t i = 0; i < patch.size(); ++i)
+        for (const VertexId v : faces_.corners(patch[i])) {
+            VertexId next = noVertex;
+            if (rimEdgesFrom(v, next) < 2)
+                continue;
+            changed = true;
+            for (int place = 0; place < mesh_.valence(v); ++place)
+                if (!add(faces_.around(v, place), patch))
+                    return false;
+        }
+    return true;
+}
+
+/// Adds small parts of the surface that the patch encloses.
+bool PatchSearch::fillIslands(std::vector<FaceId> &patch, bool &changed)
+{
+    const int searchesBefore = island_;
+    const std::size_t size = patch.size();
+    for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Corners &corners = faces_.corners(patch[i]);
+            const FaceId behind = faces_.leftOf(corners[(k + 1) % 3], corners[k]);
+            if (patchOf_[behind] == patch_ || seenBy_[behind] > searchesBefore)
+                continue;
+            for (const FaceId face : islandBehind(behind, smallIsland + size / 2, searchesBefore)) {
+                changed = true;
+                if (!add(face, patch))
+                    return false;
+            }
+        }
+    return true;
+}
+
+/// The faces reached without entering the patch; none where there are more than `most`, or where
+/// an earlier search since `searchesBefore` was here: it gave up, or its faces were in the patch.
+std::vector<FaceId> PatchSearch::islandBehind(FaceId face, std::size_t most, int searchesBefore)
+{
+    ++island_;
+    std::vector<FaceId> island{face};
+    seenBy_[face] = island_;
+    for (std::size_t i = 0; i < island.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Corners &corners = faces_.corners(island[i]);
+            const FaceId next = faces_.leftOf(corners[(k + 1) % 3], corners[k]);
+            if (patchOf_[next] == patch_ || seenBy_[next] == island_)
+                continue;
+            if (island.size() == most || seenBy_[next] > searchesBefore)
+                return {};
+            seenBy_[next] = island_;
+            island.push_back(next);
+        }
+    return island;
+}
+
+int PatchSearch::rimEdgesFrom(VertexId v, VertexId &next) const
+{
+    int count = 0;
+    for (const VertexId u : mesh_.ring(v))
+        if (isInside(v, u) && !isInside(u, v)) {
+            next = u;
+            ++count;
+        }
+    return count;
+}
+
+/// None where the patch is no disc with a simple loop around it.
+std::optional<Patch> PatchSearch::outline(std::vector<FaceId> patch) const
+{
+    Patch found;
+    std::vector<VertexId> vertices;
+    std::size_t rimEdges = 0;
+    VertexId start = noVertex;
+    for (const FaceId face : patch)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Corners &corners = faces_.corners(face);
+            vertices.push_back(corners[k]);
+            if (!isInside(corners[(k + 1) % 3], corners[k])) {
+                ++rimEdges;
+                start = corners[k];
+            }
+        }
+    if (start == noVertex)
+        return std::nullopt;
+    VertexId at = start;
+    do {
+        found.rim.push_back(at);
+        VertexId next = noVertex;
+        if (found.rim.size() > rimEdges || rimEdgesFrom(at, next) != 1)
+            return std::nullopt;
+        at = next;
+    } while (at != start);
+
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    std::vector<VertexId> onRim = found.rim;
+    std::sort(onRim.begin(), onRim.end());
+    std::set_difference(vertices.begin(), vertices.end(), onRim.begin(), onRim.end(),
+                        std::back_inserter(found.interior));
+    const std::size_t edges = (3 * patch.size() + rimEdges) / 2;
+    const bool isDisc =
+        found.rim.size() == rimEdges && vertices.size() + patch.size() == edges + 1; // Euler
+    if (!isDisc)
+        return std::nullopt;
+    found.faces = std::move(patch);
+    return found;
+}
+
+} // namespace neuralmesh

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/topology/web_removal.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/topology/filling_cost.h"
+#include "core/topology/unsupported_patches.h"
+
+namespace neuralmesh {
+namespace {
+
+/// In this order. The least change comes first, but front and back sheet of a web may be joined
+/// only by faces that a sample happens to support.
+constexpr PatchExtent extents[] = {PatchExtent::core, PatchExtent::dilated};
+/// A patch of fewer faces is not dilated.
+constexpr std::size_t facesToDilate = 6;
+/// The longest rim that is filled, for time, which grows with its cube.
+constexpr std::size_t longestRim = 600;
+/// A filling must be so much better than the web, in squared distance.
+constexpr double leastGain = 0.5;
+
+class WebSearch {
+public:
+    WebSearch(const NeuralMesh &mesh, const SampleSupport &support)
+        : mesh_(mesh), support_(support), faces_(mesh), patches_(mesh, faces_, support),
+          isTaken_(mesh.idBound(), 0)
+    {
+    }
+
+    std::vector<Refilling> run()
+    {
+        for (FaceId face = 0; face < faces_.size(); ++face)
+            if (patches_.isSeed(face))
+                tryAt(face);
+        return std::move(found_);
+    }
+
+private:
+    void tryAt(FaceId seed)
+    {
+        std::size_t faces = 0;
+        for (const PatchExtent extent : extents) {
+            if (extent == PatchExtent::dilated && faces < facesToDilate)
+                return;
+            std::optional<Patch> patch = patches_.find(seed, extent);
+            if (!patch)
+                continue;
+            faces = patch->faces.size();
+            if (patch->rim.size() <= longestRim && isFree(*patch))
+                if (std::optional<Refilling> refilling = betterFilling(*patch)) {
+                    take(*patch);
+                    found_.push_back(std::move(*refilling));
+                    return;
+                }
+            // The last keeps its faces, so that each patch is tried once.
+            if (extent != PatchExtent::dilated)
+                patches_.release(*patch);
+        }
+    }
+
+    bool isFree(const Patch &patch) const
+    {
+        const auto isTaken = [&](VertexId v) { return isTaken_[v] != 0; };
+        return std::none_of(patch.rim.begin(), patch.rim.end(), isTaken) &&
+               std::none_of(patch.interior.begin(), patch.interior.end(), isTaken);
+    }
+
+    void take(const Patch &patch)
+    {
+        for (const VertexId v : patch.rim)
+            isTaken_[v] = 1;
+        for (const VertexId v : patch.interior)
+            isTaken_[v] = 1;
+    }
+
+    std::optional<Refilling> betterFilling(const Patch &patch)
+    {
+        if (patch.rim.size() < 4)
+            return std::nullopt;
+        const FillingCost cost(mesh_, support_, patch.rim);
+        std::vector<Corners> before;
+        for (const FaceId face : patch.faces)
+            before.push_back(faces_.corners(face));
+        const double weightNow = cost.weight(before);
+        // No diagonal may be an edge outside the patch.
+        LoopTriangulation filling = cost.fill(patch.rim, [&](VertexId v, VertexId u) {
+            return mesh_.ring(v).contains(u) && !patches_.isInterior(v, u);
+        });
+        if (!(filling.weight < leastGain * weightNow))
+            return std::nullopt;
+        const FillingCost::Missed missed =
+            cost.missed(before, cornersOf(patch.rim, filling.triangles));
+        if (!(filling.weight + missed.after < leastGain * (weightNow + missed.before)))
+            return std::nullopt;
+        return Refilling{patch.rim, patch.interior, std::move(filling.triangles)};
+    }
+
+    const NeuralMesh &mesh_;
+    const SampleSupport &support_;
+    const FaceTable faces_;
+    PatchSearch patches_;
+    std::vector<char> isTaken_;
+    std::vector<Refilling> found_;
+};
+
+} // namespace
+
+std::vector<Refilling> findWebs(const NeuralMesh &mesh, const SampleSupport &support)
+{
+    return WebSearch(mesh, support).run();
+}
+
+} // namespace neuralmesh

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samplers/points/outlier_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vcg/space/index/kdtree/kdtree.h>
+
+#include "core/space/point_statistics.h"
+
+namespace neuralmesh {
+namespace {
+
+/// Of fewer points, none is an outlier: each may have been set by hand.
+constexpr std::size_t leastPoints = 1000;
+constexpr std::size_t pilotPoints = 20000;
+/// Points whose distance to the fourth neighbour is measured.
+constexpr std::size_t measuredPoints = 1000;
+constexpr int neighbours = 4;
+/// The radius, in medians of the distance to the fourth neighbour, at the least.
+constexpr double leastRatio = 3.5;
+/// The radius, in standard deviations of the logarithm of that distance above its median.
+constexpr double deviations = 4;
+/// Median absolute deviation to standard deviation, of a normal distribution.
+constexpr double madToDeviation = 1.4826;
+/// Neighbours by which a surface is told from a cloud, and the surface variation up to which it is
+/// one. Nine points at random in space have 0.118 in the median, on a sphere of 400 points 0.003.
+constexpr int surfaceNeighbours = 8;
+constexpr double mostSurfaceVariation = 0.06;
+/// Above this share there are no outliers.
+constexpr double mostOutliers = 0.2;
+
+/// Every n-th point, as many as asked for or all.
+std::vector<Point3> thinned(const std::vector<Point3> &points, std::size_t count)
+{
+    if (points.size() <= count)
+        return points;
+    std::vector<Point3> chosen;
+    chosen.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+        chosen.push_back(points[i * points.size() / count]);
+    return chosen;
+}
+
+/// The pilot points with a search tree.
+class PilotTree {
+public:
+    explicit PilotTree(const std::vector<Point3> &pilot)
+        : pilot_(pilot), wrapper_(pilot.data(), static_cast<int>(pilot.size())), tree_(wrapper_)
+    {
+    }
+
+    /// Distance to the k-th neighbour of a pilot point.
+    double distance(const Point3 &point, int k)
+    {
+        tree_.doQueryK(point, k + 1, queue_); // the point itself is one
+        double furthest = 0;
+        for (int i = 0; i < queue_.getNofElements(); ++i)
+            furthest = std::max(furthest, static_cast<double>(queue_.getWeight(i)));
+        return std::sqrt(furthest); // weights are squared distances
+    }
+
+    /// Surface variation (Pauly 2002) of a point and its k neighbours: the least eigenvalue's share
+    /// of their covariance's trace. Zero on a plane, 1/3 at the most.
+    double surfaceVariation(const Point3 &point, int k)
+    {
+        tree_.doQueryK(point, k + 1, queue_);
+        const int count = queue_.getNofElements();
+        std::vector<Point3> around;
+        for (int i = 0; i < count; ++i)
+            around.push_back(pilot_[static_cast<std::size_t>(queue_.getIndex(i))]);
+        const Eigen::Vector3d variances = principalAxes(around).variances;
+        return variances.sum() > 0 ? variances[0] / variances.sum() : 0;
+    }
+
+private:
+    const std::vector<Point3> &pilot_;
+    vcg::ConstDataWrapper<Point3> wrapper_;
+    vcg::KdTree<Scalar> tree_;
+    vcg::KdTree<Scalar>::PriorityQueue queue_;
+};
+
+double measureRadius(PilotTree &tree, const std::vector<Point3> &pilot)
+{
+    std::vector<double> logarithms;
+    for (const Point3 &point : thinned(pilot, measuredPoints))
+        if (const double distance = tree.distance(point, neighbours); distance > 0)
+            logarithms.push_back(std::log(distance));
+    if (logarithms.empty())
+        return 0;
+    const double usual = median(logarithms);
+    std::vector<double> spread;
+    for (const double value : logarithms)
+        spread.push_back(std::abs(value - usual));
+    const double deviation = madToDeviation * median(spread);
+    return std::exp(usual + std::max(std::log(leastRatio), deviations * deviation));
+}
+
+/// Whether points that stand alone lie on surfaces all the same, only sparser ones.
+bool lieOnSurfaces(PilotTree &tree, const std::vector<Point3> &alone)
+{
+    std::vector<double> variations;
+    for (const Point3 &point : thinned(alone, measuredPoints))
+        variations.push_back(tree.surfaceVariation(point, surfaceNeighbours));
+    return median(variations) < mostSurfaceVariation;
+}
+
+} // namespace
+
+OutlierFilter::OutlierFilter(const std::vector<Point3> &points, const Box3 &bounds)
+    : pilotGrid_(bounds)
+{
+    if (points.size() < leastPoints)
+        return;
+    const std::vector<Point3> pilot = thinned(points, pilotPoints);
+    for (std::size_t i = 0; i < pilot.size(); ++i)
+        pilotGrid_.insert(static_cast<VertexId>(i), pilot[i]);
+    PilotTree tree(pilot);
+    radius_ = measureRadius(tree, pilot);
+    std::vector<Point3> alone;
+    for (const Point3 &point : pilot)
+        if (standsAlone(point))
+            alone.push_back(point);
+    const double share = static_cast<double>(alone.size()) / static_cast<double>(pilot.size());
+    if (!alone.empty() && share <= mostOutliers && !lieOnSurfaces(tree, alone))
+        share_ = share;
+}
+
+bool OutlierFilter::standsAlone(const Point3 &point) const
+{
+    // A pilot point finds itself, another point does not: one more or less of four is no matter.
+    return radius_ > 0 && !pilotGrid_.hasWithin(point, radius_, neighbours + 1);
+}
+
+} // namespace neuralmesh

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/space/vertex_grid.h"
+
+namespace neuralmesh {
+
+/// Tells points that stand alone from points of a surface, in constant time for each, whatever the
+/// size of the cloud: by how many of at most 20,000 pilot points lie around.
+///
+/// A point is an outlier where fewer than four pilot points lie within a radius that is several
+/// times the usual distance to the fourth. Where the density of the cloud varies, so does that
+/// distance, and the radius grows with its spread. None is an outlier in a cloud of fewer than
+/// 1,000 points, where more than a fifth of the points would be, or where those that would be lie
+/// on surfaces of their own, as a sparsely scanned part does: that is how the cloud is, not dirt in
+/// it.
+class OutlierFilter {
+public:
+    /// Learns from the points, in the unit frame.
+    OutlierFilter(const std::vector<Point3> &points, const Box3 &bounds);
+
+    /// Whether any outlier was found among the pilot points; where not, none is an outlier.
+    bool isActive() const { return share_ > 0; }
+
+    /// Share of outliers among the pilot points, in [0, 0.2].
+    double share() const { return share_; }
+
+    bool isOutlier(const Point3 &point) const { return isActive() && standsAlone(point); }
+
+private:
+    bool standsAlone(const Point3 &point) const;
+
+    VertexGrid pilotGrid_;
+    Scalar radius_ = 0;
+    double share_ = 0;
+};
+
+} // namespace neuralmesh

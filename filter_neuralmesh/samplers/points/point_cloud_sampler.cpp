@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samplers/points/point_cloud_sampler.h"
+
+#include <algorithm>
+
+#include "core/errors.h"
+#include "samplers/input_checks.h"
+#include "samplers/points/distinct_points.h"
+
+namespace neuralmesh {
+namespace {
+
+/// Up to so many points are sifted for outliers beforehand; of more, those that are drawn.
+constexpr std::size_t mostPointsSifted = 200000;
+
+} // namespace
+
+PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d> &world,
+                                     const std::vector<double> &density)
+{
+    if (world.empty())
+        throw InvalidInput("There are no points to reconstruct a surface from.");
+    requireFinite(world);
+    const auto isDrawn = [&](std::size_t i) { return density.empty() || density[i] > 0; };
+    vcg::Box3d worldBounds;
+    for (std::size_t i = 0; i < world.size(); ++i)
+        if (isDrawn(i))
+            worldBounds.Add(world[i]);
+    frame_ = frameOf(worldBounds);
+    points_.reserve(world.size());
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < world.size(); ++i) {
+        if (!isDrawn(i))
+            continue;
+        points_.push_back(frame_.toUnit(world[i]));
+        bounds_.Add(points_.back());
+        if (!density.empty())
+            weights.push_back(density[i]);
+    }
+    requireFourPoints(countDistinctPoints(4));
+    if (density.empty())
+        setAsideOutliers();
+    else
+        byDensity_.emplace(weights);
+    requireSolid(points_);
+}
+
+void PointCloudSampler::setAsideOutliers()
+{
+    OutlierFilter filter(points_, bounds_);
+    outlierShare_ = filter.share();
+    if (!filter.isActive())
+        return;
+    if (points_.size() > mostPointsSifted) {
+        outliers_.emplace(std::move(filter));
+        return;
+    }
+    const auto end = std::remove_if(points_.begin(), points_.end(),
+                                    [&](const Point3 &point) { return filter.isOutlier(point); });
+    points_.erase(end, points_.end());
+}
+
+void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Point3> &samples) const
+{
+    samples.resize(count);
+    for (Point3 &sample : samples) {
+        // At most a fifth are outliers: 64 in a row do not happen.
+        for (int tries = 0; tries < 64; ++tries) {
+            sample = points_[drawIndex(random)];
+            if (!outliers_ || !outliers_->isOutlier(sample))
+                break;
+        }
+    }
+}
+
+std::size_t PointCloudSampler::drawIndex(Random &random) const
+{
+    return byDensity_ ? byDensity_->draw(random)
+                      : static_cast<std::size_t>(random.below(points_.size()));
+}
+
+std::size_t PointCloudSampler::countDistinctPoints(std::size_t enough) const
+{
+    DistinctPoints distinct(std::min(enough, points_.size()));
+    for (const Point3 &p : points_) {
+        distinct.insert(p);
+        if (distinct.size() >= enough)
+            break;
+    }
+    return distinct.size();
+}
+
+} // namespace neuralmesh

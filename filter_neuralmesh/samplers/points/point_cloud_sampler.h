@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/sampler.h"
+#include "samplers/alias_table.h"
+#include "samplers/points/outlier_filter.h"
+
+namespace neuralmesh {
+
+/// A point cloud as target space: every point with the same probability (equation 1), but for
+/// outliers, which are not drawn; or in proportion to a density.
+class PointCloudSampler : public Sampler {
+public:
+    /// Takes points in world coordinates. Throws InvalidInput where fewer than four are distinct,
+    /// where one is not finite, and where all lie in one place, on a line or on a plane, since
+    /// none of these can carry a closed surface.
+    ///
+    /// Where `density` is given, one value for each point, not negative, points are drawn in
+    /// proportion to it. It says how much each of them counts: those of density 0 are as if they
+    /// were not there, and none is left out as an outlier.
+    explicit PointCloudSampler(const std::vector<vcg::Point3d> &world,
+                               const std::vector<double> &density = {});
+
+    const UnitFrame &frame() const override { return frame_; }
+    Box3 bounds() const override { return bounds_; }
+    void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const override;
+    std::size_t pointCount() const override { return points_.size(); }
+    std::size_t countDistinctPoints(std::size_t enough) const override;
+
+    /// Estimated share of the points that are outliers.
+    double outlierShare() const { return outlierShare_; }
+
+private:
+    void setAsideOutliers();
+    std::size_t drawIndex(Random &random) const;
+
+    double outlierShare_ = 0;
+    std::optional<OutlierFilter> outliers_; ///< where there are any, in a large cloud
+    std::optional<AliasTable> byDensity_;
+    UnitFrame frame_;
+    Box3 bounds_;
+    std::vector<Point3> points_; ///< in the unit frame
+};
+
+} // namespace neuralmesh

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "core/sampler.h"
+#include "samplers/alias_table.h"
+#include "samplers/surfaces/expression.h"
+
+namespace neuralmesh {
+
+/// The surface (x, y, z)(u, v) over a rectangle of u and v, as target space: uniform by area, that
+/// is, in proportion to the norm of the cross product of its derivatives. Where the surface covers
+/// itself, it counts as often as it does.
+///
+/// A cell of a grid over the rectangle is drawn in proportion to a bound of that norm, a place in
+/// it uniformly, and the place is kept in proportion to its norm. The bound is half as much again
+/// as the largest of nine norms in the cell: a norm above it would be sampled too seldom.
+class ParametricSampler : public Sampler {
+public:
+    struct Range {
+        double low, high;
+    };
+
+    /// Takes the expressions of x, y and z, each in the variables "uv". Throws InvalidInput where a
+    /// range is empty, an expression is not finite in it, the surface has no area, or is a plane,
+    /// which cannot carry a closed one.
+    ParametricSampler(std::array<Expression, 3> coordinates, Range u, Range v);
+
+    const UnitFrame &frame() const override { return frame_; }
+    Box3 bounds() const override { return bounds_; }
+    void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const override;
+
+private:
+    vcg::Point3d place(double u, double v) const;
+    double areaDensity(double u, double v) const;
+    void measureCells();
+    vcg::Point3d drawPoint(Random &random) const;
+
+    std::array<Expression, 3> coordinates_;
+    Range u_, v_;
+    std::vector<double> mostDensity_; ///< bound by cell, u fastest
+    AliasTable cells_;
+    UnitFrame frame_;
+    Box3 bounds_;
+};
+
+} // namespace neuralmesh

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/ring_topology.h"
+
+#include <gtest/gtest.h>
+#include <vcg/complex/algorithms/clean.h>
+#include <vcg/complex/algorithms/update/topology.h>
+
+#include <set>
+
+#include "core/mesh/mesh_checks.h"
+#include "tests/meshes_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+using test::makeBipyramid;
+using test::makeOctahedron;
+using test::makeTorus;
+
+std::vector<VertexId> liveVertices(const NeuralMesh &mesh)
+{
+    std::vector<VertexId> live;
+    for (VertexId v = 0; v < mesh.idBound(); ++v)
+        if (mesh.isLive(v))
+            live.push_back(v);
+    return live;
+}
+
+/// What VCG says of the mesh that plain index replacement leaves of edge (v, u): closed,
+/// two-manifold, no doubled or degenerate face, Euler number kept.
+bool vcgAcceptsCollapse(const NeuralMesh &source, VertexId v, VertexId u)
+{
+    using Clean = vcg::tri::Clean<NeuralMesh>;
+    using Allocator = vcg::tri::Allocator<NeuralMesh>;
+    NeuralMesh mesh;
+    for (const NeuralVertex &vertex : source.vert)
+        Allocator::AddVertex(mesh, vertex.cP());
+    for (const NeuralFace &face : source.face) {
+        VertexId id[3];
+        int ends = 0;
+        for (int corner = 0; corner < 3; ++corner) {
+            id[corner] = static_cast<VertexId>(vcg::tri::Index(source, face.cV(corner)));
+            ends += id[corner] == v || id[corner] == u ? 1 : 0;
+            id[corner] = id[corner] == v ? u : id[corner];
+        }
+        if (ends < 2)
+            Allocator::AddFace(mesh, id[0], id[1], id[2]);
+    }
+    if (mesh.fn != source.fn - 2 || mesh.fn < 4)
+        return false;
+    if (Clean::RemoveDuplicateFace(mesh) > 0)
+        return false;
+    vcg::tri::UpdateTopology<NeuralMesh>::FaceFace(mesh);
+    Clean::RemoveUnreferencedVertex(mesh);
+    return Clean::IsWaterTight(mesh) && Clean::CountNonManifoldVertexFF(mesh) == 0 &&
+           mesh.vn == source.vn - 1;
+}
+
+void compareCollapsesWithVcg(NeuralMesh &mesh)
+{
+    validate(mesh);
+    rebuildFaces(mesh);
+    for (const VertexId v : liveVertices(mesh))
+        for (const VertexId u : mesh.ring(v))
+            EXPECT_EQ(canCollapse(mesh, v, u), vcgAcceptsCollapse(mesh, v, u))
+                << "edge " << v << " " << u;
+}
+
+TEST(RingTopology, a_tetrahedron_points_outwards_and_is_closed)
+{
+    NeuralMesh mesh;
+    makeTetrahedron(mesh, {1, 2, 3}, 2);
+    validate(mesh);
+    // Edge 2 r sqrt(2/3), volume edge^3 / (6 sqrt 2) = r^3 8 sqrt(3) / 27.
+    EXPECT_NEAR(signedVolume(mesh), 8 * 8 * std::sqrt(3.0) / 27, 1e-12);
+}
+
+TEST(RingTopology, can_collapse_refuses_every_edge_of_a_tetrahedron)
+{
+    NeuralMesh mesh;
+    makeTetrahedron(mesh, {0, 0, 0}, 1);
+    for (const VertexId v : liveVertices(mesh))
+        for (const VertexId u : mesh.ring(v))
+            EXPECT_FALSE(canCollapse(mesh, v, u));
+    compareCollapsesWithVcg(mesh);
+}
+
+TEST(RingTopology, can_collapse_leaves_each_component_a_tetrahedron)
+{
+    NeuralMesh mesh;
+    test::makeMesh(mesh,
+                   {{1, 1, 1},
+                    {1, -1, -1},
+                    {-1, 1, -1},
+                    {-1, -1, 1},
+                    {9, 1, 1},
+                    {9, -1, -1},
+                    {7, 1, -1},
+                    {7, -1, 1}},
+                   {{{0, 1, 2}},
+                    {{0, 3, 1}},
+                    {{0, 2, 3}},
+                    {{1, 3, 2}},
+                    {{4, 5, 6}},
+                    {{4, 7, 5}},
+                    {{4, 6, 7}},
+                    {{5, 7, 6}}});
+    for (const VertexId v : liveVertices(mesh))
+        for (const VertexId u : mesh.ring(v))
+            EXPECT_FALSE(canCollapse(mesh, v, u));
+    compareCollapsesWithVcg(mesh);
+}
+
+TEST(RingTopology, can_collapse_agrees_with_vcg_on_small_meshes)
+{
+    NeuralMesh mesh;
+    makeBipyramid(mesh);
+    EXPECT_FALSE(canCollapse(mesh, 0, 1)); // 0 1 2 is a triangle but no face
+    EXPECT_TRUE(canCollapse(mesh, 0, 3));
+    compareCollapsesWithVcg(mesh);
+    makeOctahedron(mesh);
+    compareCollapsesWithVcg(mesh);
+    makeTorus(mesh, 3, 3); // full of triangles around the tube that are no faces
+    compareCollapsesWithVcg(mesh);
+    makeTorus(mesh, 4, 5);
+    compareCollapsesWithVcg(mesh);
+}
+
+TEST(RingTopology, a_split_gives_both_vertices_the_promised_valences)
+{
+    NeuralMesh mesh;
+    makeOctahedron(mesh);
+    std::vector<VertexId> freeSlots;
+    const VertexId w = addVertex(mesh, freeSlots, {2, 0, 0});
+    split(mesh, 0, 1, 3, w); // half of the star of a vertex of valence 4
+    validate(mesh);
+    EXPECT_EQ(mesh.valence(w), 4);
+    EXPECT_EQ(mesh.valence(0), 4);
+    EXPECT_EQ(measureTopology(mesh).genus, 0);
+}
+
+TEST(RingTopology, a_collapse_undoes_a_split)
+{
+    NeuralMesh mesh;
+    makeTorus(mesh, 4, 4);
+    std::vector<std::set<VertexId>> before;
+    for (VertexId v = 0; v < 16; ++v)
+        before.emplace_back(mesh.ring(v).begin(), mesh.ring(v).end());
+    std::vector<VertexId> freeSlots;
+    const VertexId w = addVertex(mesh, freeSlots, {0, 0, 0});
+    split(mesh, 5, 4, 1, w); // across the ring's first place
+    validate(mesh);
+    ASSERT_TRUE(canCollapse(mesh, w, 5));
+    collapse(mesh, w, 5, freeSlots);
+    validate(mesh);
+    for (VertexId v = 0; v < 16; ++v)
+        EXPECT_EQ(std::set<VertexId>(mesh.ring(v).begin(), mesh.ring(v).end()), before[v]);
+    EXPECT_EQ(addVertex(mesh, freeSlots, {0, 0, 0}), w); // the slot is used again
+}
+
+TEST(RingTopology, a_flip_turns_the_edge_and_flipping_again_turns_it_back)
+{
+    NeuralMesh mesh;
+    makeTorus(mesh, 5, 5);
+    const VertexId u = mesh.ring(7)[2];
+    const OppositeVertices opposite = oppositeVertices(mesh, 7, u);
+    ASSERT_TRUE(canFlip(mesh, 7, u));
+    flip(mesh, 7, u);
+    validate(mesh);
+    EXPECT_FALSE(mesh.ring(7).contains(u));
+    EXPECT_TRUE(mesh.ring(opposite.left).contains(opposite.right));
+    ASSERT_TRUE(canFlip(mesh, opposite.left, opposite.right));
+    flip(mesh, opposite.left, opposite.right);
+    validate(mesh);
+    EXPECT_TRUE(mesh.ring(7).contains(u));
+}
+
+TEST(RingTopology, can_flip_refuses_what_would_double_an_edge_or_leave_two_neighbours)
+{
+    NeuralMesh mesh;
+    makeBipyramid(mesh);
+    EXPECT_FALSE(canFlip(mesh, 0, 3)); // vertex 3 has valence 3
+    EXPECT_TRUE(canFlip(mesh, 0, 1));  // becomes 3-4
+    flip(mesh, 0, 1);
+    validate(mesh);
+    EXPECT_FALSE(canFlip(mesh, 0, 2)); // vertex 0 has lost a neighbour: valence 3
+    makeOctahedron(mesh);
+    EXPECT_TRUE(canFlip(mesh, 0, 2)); // becomes 4-5
+    flip(mesh, 0, 2);
+    validate(mesh);
+    EXPECT_FALSE(canFlip(mesh, 1, 3)); // 4 and 5 are neighbours already
+    makeTetrahedron(mesh, {0, 0, 0}, 1);
+    EXPECT_FALSE(canFlip(mesh, 0, 1));
+}
+
+TEST(RingTopology, faces_are_those_of_the_rings)
+{
+    NeuralMesh mesh;
+    makeTorus(mesh, 4, 5);
+    rebuildFaces(mesh);
+    EXPECT_EQ(mesh.fn, 40);
+    vcg::tri::UpdateTopology<NeuralMesh>::FaceFace(mesh);
+    EXPECT_TRUE(vcg::tri::Clean<NeuralMesh>::IsWaterTight(mesh));
+    EXPECT_TRUE(vcg::tri::Clean<NeuralMesh>::IsCoherentlyOrientedMesh(mesh));
+}
+
+TEST(RingTopology, turning_round_changes_the_sign_of_the_volume)
+{
+    NeuralMesh mesh;
+    makeTorus(mesh, 8, 8);
+    const double volume = signedVolume(mesh);
+    EXPECT_GT(volume, 0);
+    reverseOrientation(mesh);
+    validate(mesh);
+    EXPECT_DOUBLE_EQ(signedVolume(mesh), -volume);
+}
+
+/// A random operation on a random edge, where it is allowed.
+void mutate(NeuralMesh &mesh, Random &random, std::vector<VertexId> &freeSlots, int most)
+{
+    const std::vector<VertexId> live = liveVertices(mesh);
+    const VertexId v = live[random.below(live.size())];
+    const int valence = mesh.valence(v);
+    const auto place = static_cast<int>(random.below(static_cast<std::uint64_t>(valence)));
+    const VertexId u = mesh.ring(v)[place];
+    switch (random.below(3)) {
+    case 0:
+        if (canCollapse(mesh, v, u))
+            collapse(mesh, v, u, freeSlots);
+        return;
+    case 1:
+        if (canFlip(mesh, v, u))
+            flip(mesh, v, u);
+        return;
+    default:
+        if (mesh.vn < most) {
+            const auto span = 1 + random.below(static_cast<std::uint64_t>(valence) - 1);
+            const VertexId w = addVertex(mesh, freeSlots, mesh.position(v));
+            split(mesh, v, place, (place + static_cast<int>(span)) % valence, w);
+        }
+    }
+}
+
+void mutateAndValidate(NeuralMesh &mesh, std::uint64_t seed, int operations, int most, int genus)
+{
+    Random random(seed);
+    std::vector<VertexId> freeSlots;
+    for (int i = 0; i < operations; ++i) {
+        mutate(mesh, random, freeSlots, most);
+        ASSERT_NO_THROW(validate(mesh)) << "seed " << seed << ", operation " << i;
+        ASSERT_EQ(measureTopology(mesh).genus, genus);
+        ASSERT_EQ(measureTopology(mesh).components, 1);
+    }
+}
+
+TEST(RingTopology, random_operations_keep_a_sphere_a_sphere)
+{
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        NeuralMesh mesh;
+        makeTetrahedron(mesh, {0, 0, 0}, 1);
+        mutateAndValidate(mesh, seed, 25000, 24, 0); // small: every refusal is met often
+    }
+    NeuralMesh mesh;
+    makeOctahedron(mesh);
+    mutateAndValidate(mesh, 4, 15000, 60, 0);
+}
+
+TEST(RingTopology, random_operations_keep_a_torus_a_torus)
+{
+    for (const std::uint64_t seed : {5U, 6U}) {
+        NeuralMesh mesh;
+        makeTorus(mesh, 4, 4);
+        mutateAndValidate(mesh, seed, 15000, 40, 1);
+    }
+}
+
+} // namespace
+} // namespace neuralmesh

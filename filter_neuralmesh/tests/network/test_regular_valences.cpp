@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which collapses and splits even out valences, and the exchange that uses both.
+#include <gtest/gtest.h>
+
+#include "core/mesh/mesh_checks.h"
+#include "core/network/growing_network.h"
+#include "core/network/regular_collapses.h"
+#include "core/network/star_splits.h"
+#include "tests/meshes_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+int spreadOf(const NeuralMesh &mesh)
+{
+    int sum = 0;
+    for (VertexId v = 0; v < mesh.idBound(); ++v)
+        if (mesh.isLive(v))
+            sum += (mesh.valence(v) - 6) * (mesh.valence(v) - 6);
+    return sum;
+}
+
+/// A flat-sided torus with a vertex of valence 3 put into the middle of one face.
+VertexId makeTorusWithAnExtraVertex(NeuralMesh &mesh)
+{
+    test::makeTorus(mesh, 40, 20);
+    const NeighbourRing ring = mesh.ring(0);
+    const VertexId a = ring[0];
+    const VertexId b = ring[1];
+    std::vector<VertexId> noFreeSlots;
+    const VertexId v =
+        addVertex(mesh, noFreeSlots, (mesh.position(0) + mesh.position(a) + mesh.position(b)) / 3);
+    for (const auto &[corner, next] : {std::pair{VertexId(0), a}, {a, b}, {b, VertexId(0)}})
+        mesh.ring(corner).insert(mesh.ring(corner).find(next) + 1, v);
+    for (const VertexId corner : {VertexId(0), a, b})
+        mesh.ring(v).pushBack(corner);
+    return v;
+}
+
+TEST(RegularCollapses, a_vertex_within_a_face_may_go)
+{
+    NeuralMesh mesh;
+    const VertexId v = makeTorusWithAnExtraVertex(mesh);
+    ASSERT_EQ(findDefect(mesh), "");
+    EXPECT_NE(bestCollapseOnSurface(mesh, v), noVertex);
+}
+
+TEST(RegularCollapses, the_tip_of_a_limb_stays)
+{
+    NeuralMesh mesh;
+    const VertexId v = makeTorusWithAnExtraVertex(mesh);
+    mesh.position(v) += Point3(1, 0, 0) * 0.5; // far out of its face
+    EXPECT_EQ(bestCollapseOnSurface(mesh, v), noVertex);
+    EXPECT_NE(bestCollapse(mesh, v), noVertex) << "its connectivity alone would let it go";
+}
+
+TEST(RegularCollapses, a_regular_mesh_has_none_that_gain)
+{
+    NeuralMesh mesh;
+    test::makeTorus(mesh, 10, 8);
+    EXPECT_TRUE(mostRegularCollapses(mesh).empty());
+}
+
+TEST(StarSplits, a_raising_split_gives_one_neighbour_more_and_lowers_the_sum)
+{
+    NeuralMesh mesh;
+    const VertexId v = makeTorusWithAnExtraVertex(mesh);
+    const StarSplit split = bestRaisingSplit(mesh, v);
+    ASSERT_NE(split.vertex, noVertex);
+    const int before = spreadOf(mesh);
+    std::vector<VertexId> noFreeSlots;
+    const VertexId w = addVertex(mesh, noFreeSlots, middleOfSpan(mesh, split));
+    neuralmesh::split(mesh, split.vertex, split.first, split.last, w);
+    EXPECT_EQ(findDefect(mesh), "");
+    EXPECT_EQ(mesh.valence(v), 4);
+    EXPECT_LT(spreadOf(mesh), before);
+}
+
+TEST(StarSplits, no_split_raises_where_all_are_regular)
+{
+    NeuralMesh mesh;
+    test::makeTorus(mesh, 10, 8);
+    EXPECT_EQ(bestRaisingSplit(mesh, 0).vertex, noVertex);
+}
+
+TEST(GrowingNetwork, exchanging_irregular_vertices_keeps_the_count_and_evens_valences)
+{
+    NeuralMesh mesh;
+    makeTorusWithAnExtraVertex(mesh);
+    Box3 bounds;
+    for (const NeuralVertex &vertex : mesh.vert)
+        bounds.Add(vertex.cP());
+    GrowingNetwork network(mesh, bounds, GrowthParameters{});
+    const int count = network.vertexCount();
+    const int before = spreadOf(mesh);
+    const std::vector<VertexId> made = network.exchangeIrregular();
+    EXPECT_EQ(made.size(), 1U);
+    EXPECT_EQ(network.vertexCount(), count);
+    EXPECT_LT(spreadOf(mesh), before);
+    EXPECT_EQ(findDefect(mesh), "");
+    EXPECT_EQ(measureTopology(mesh).genus, 1);
+}
+
+} // namespace
+} // namespace neuralmesh

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samplers/points/outlier_filter.h"
+
+#include <gtest/gtest.h>
+
+#include "samplers/points/point_cloud_sampler.h"
+#include "tests/meshes_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+Box3 boundsOf(const std::vector<Point3> &points)
+{
+    Box3 bounds;
+    for (const Point3 &p : points)
+        bounds.Add(p);
+    return bounds;
+}
+
+/// A sphere of 10,000 points with `outliers` more, uniform in the box of twice its size.
+std::vector<Point3> sphereWithOutliers(int outliers)
+{
+    std::vector<Point3> points = test::spherePoints(10000, 1);
+    Random random(2);
+    for (int i = 0; i < outliers; ++i)
+        points.emplace_back(4 * random.unit() - 2, 4 * random.unit() - 2, 4 * random.unit() - 2);
+    return points;
+}
+
+TEST(OutlierFilter, keeps_a_clean_cloud_whole)
+{
+    const std::vector<Point3> points = sphereWithOutliers(0);
+    EXPECT_FALSE(OutlierFilter(points, boundsOf(points)).isActive());
+}
+
+TEST(OutlierFilter, finds_points_that_stand_alone_and_no_others)
+{
+    const std::vector<Point3> points = sphereWithOutliers(500);
+    const OutlierFilter filter(points, boundsOf(points));
+    ASSERT_TRUE(filter.isActive());
+    int found = 0, far = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i < 10000)
+            EXPECT_FALSE(filter.isOutlier(points[i])) << i;
+        // Further from the sphere than a tenth of its radius: several times the usual spacing.
+        else if (std::abs(points[i].Norm() - 1) > 0.1) {
+            ++far;
+            found += filter.isOutlier(points[i]) ? 1 : 0;
+        }
+    }
+    EXPECT_GE(found, 0.98 * far) << "of " << far;
+}
+
+TEST(OutlierFilter, takes_a_sparse_half_for_a_surface)
+{
+    // The lower half holds a twenty-fifth of the points: five times the spacing.
+    Random random(4);
+    std::vector<Point3> varied;
+    for (const vcg::Point3d &p : test::spherePoints(20000, 5))
+        if (random.unit() < (p.Z() > 0 ? 1.0 : 0.04))
+            varied.push_back(p);
+    const OutlierFilter filter(varied, boundsOf(varied));
+    EXPECT_LT(filter.share(), 0.01);
+}
+
+TEST(OutlierFilter, leaves_small_clouds_alone)
+{
+    std::vector<Point3> points = test::spherePoints(900, 6);
+    points.emplace_back(9, 9, 9);
+    const OutlierFilter filter(points, boundsOf(points));
+    EXPECT_FALSE(filter.isActive());
+    EXPECT_FALSE(filter.isOutlier(points.back()));
+}
+
+TEST(OutlierFilter, a_sampler_draws_no_outliers)
+{
+    std::vector<vcg::Point3d> points = sphereWithOutliers(500);
+    const PointCloudSampler sampler(points);
+    EXPECT_NEAR(sampler.outlierShare(), 500.0 / 10500, 0.01);
+    Random random(1);
+    std::vector<Point3> samples;
+    sampler.draw(random, 20000, samples);
+    int far = 0;
+    for (const Point3 &sample : samples)
+        far += std::abs(sampler.frame().toWorld(sample).Norm() - 1) > 0.1 ? 1 : 0;
+    EXPECT_LT(far, 20); // of some 900 without the filter
+}
+
+} // namespace
+} // namespace neuralmesh

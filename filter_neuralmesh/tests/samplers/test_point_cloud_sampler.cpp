@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samplers/points/point_cloud_sampler.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/errors.h"
+#include "tests/meshes_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+using Points = std::vector<vcg::Point3d>;
+
+std::string refusal(const Points &points)
+{
+    try {
+        const PointCloudSampler sampler(points);
+    } catch (const InvalidInput &error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+const Points tetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+TEST(PointCloudSampler, draws_every_point_with_the_same_probability)
+{
+    const PointCloudSampler sampler(tetrahedron);
+    Random random(1);
+    std::vector<Point3> samples;
+    sampler.draw(random, 100000, samples);
+    std::map<int, int> counts;
+    for (const Point3 &sample : samples) {
+        const vcg::Point3d world = sampler.frame().toWorld(sample);
+        ++counts[static_cast<int>(std::lround(world.X() + 2 * world.Y() + 3 * world.Z()))];
+    }
+    ASSERT_EQ(counts.size(), 4U);
+    // Five standard deviations of a binomial(100000, 1/4): 685.
+    for (const auto &[point, count] : counts)
+        EXPECT_NEAR(count, 25000, 685);
+}
+
+TEST(PointCloudSampler, the_unit_frame_is_centred_with_unit_diagonal)
+{
+    Points far = tetrahedron;
+    for (vcg::Point3d &p : far)
+        p = p * 1000.0 + vcg::Point3d(500000, 4500000, 100);
+    const PointCloudSampler sampler(far);
+    EXPECT_NEAR(sampler.bounds().Diag(), 1, 1e-9);
+    EXPECT_NEAR(sampler.bounds().Center().Norm(), 0, 1e-9);
+    EXPECT_NEAR(sampler.frame().diagonal(), 1000 * std::sqrt(3.0), 1e-6);
+}
+
+TEST(PointCloudSampler, counts_distinct_points_up_to_what_is_asked)
+{
+    Points twice = test::spherePoints(50, 1);
+    twice.insert(twice.end(), twice.begin(), twice.begin() + 50);
+    const PointCloudSampler sampler(twice);
+    EXPECT_EQ(sampler.countDistinctPoints(1000), 50U);
+    EXPECT_EQ(sampler.countDistinctPoints(20), 20U);
+}
+
+TEST(PointCloudSampler, refuses_what_cannot_carry_a_closed_surface)
+{
+    EXPECT_EQ(refusal(tetrahedron), "accepted");
+    EXPECT_NE(refusal({}).find("no points"), std::string::npos);
+    EXPECT_NE(refusal(Points(9, {1, 2, 3})).find("in one place"), std::string::npos);
+    EXPECT_NE(refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}}).find("Only 3 distinct"),
+              std::string::npos);
+}
+
+TEST(PointCloudSampler, refuses_lines_and_planes_in_any_direction_and_place)
+{
+    for (const vcg::Point3d offset : {vcg::Point3d(0, 0, 0), vcg::Point3d(5e5, 4.5e6, 100)}) {
+        Points line, plane;
+        Random random(3);
+        for (int i = 0; i < 200; ++i) {
+            const double a = random.unit();
+            const double b = random.unit();
+            line.push_back(offset + vcg::Point3d(3, -1, 2) * a);
+            plane.push_back(offset + vcg::Point3d(3, -1, 2) * a + vcg::Point3d(1, 1, 0) * b);
+        }
+        EXPECT_NE(refusal(line).find("on a line"), std::string::npos);
+        EXPECT_NE(refusal(plane).find("on a plane"), std::string::npos);
+        plane.push_back(offset + vcg::Point3d(0, 0, 0.01));
+        EXPECT_EQ(refusal(plane), "accepted");
+    }
+}
+
+TEST(PointCloudSampler, says_how_many_coordinates_are_not_finite_and_where_the_first_is)
+{
+    Points broken = test::spherePoints(20, 1);
+    broken[7].X() = std::nan("");
+    broken[11].Z() = -INFINITY;
+    const std::string sentence = refusal(broken);
+    EXPECT_NE(sentence.find("2 of 20"), std::string::npos);
+    EXPECT_NE(sentence.find("point 7"), std::string::npos);
+}
+
+TEST(PointCloudSampler, draws_points_in_proportion_to_a_density)
+{
+    const PointCloudSampler sampler({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}},
+                                    {0.1, 0.2, 0.3, 0.4, 0});
+    Random random(1);
+    std::vector<Point3> samples;
+    sampler.draw(random, 100000, samples);
+    std::map<int, int> counts;
+    for (const Point3 &sample : samples) {
+        const vcg::Point3d world = sampler.frame().toWorld(sample);
+        ++counts[static_cast<int>(std::lround(world.X() + 2 * world.Y() + 3 * world.Z()))];
+    }
+    ASSERT_EQ(counts.size(), 4U); // the last point is never drawn
+    // Five standard deviations of a binomial: at most 775.
+    for (int i = 0; i < 4; ++i)
+        EXPECT_NEAR(counts[i], 10000 * (i + 1), 775) << i;
+}
+
+TEST(PointCloudSampler, points_of_density_0_are_as_if_they_were_not_there)
+{
+    const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}};
+    const PointCloudSampler sampler(points, {1, 1, 1, 1, 0});
+    EXPECT_EQ(sampler.countDistinctPoints(10), 4U);
+    EXPECT_EQ(sampler.pointCount(), 4U);
+    EXPECT_NEAR(sampler.frame().diagonal(), std::sqrt(3), 1e-12);
+}
+
+} // namespace
+} // namespace neuralmesh

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samplers/files/point_file_sampler.h"
+
+#include <gtest/gtest.h>
+
+#include "core/errors.h"
+#include "samplers/points/point_cloud_sampler.h"
+#include "tests/meshes_for_tests.h"
+#include "tests/point_files_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+using test::TemporaryFile;
+
+std::vector<vcg::Point3d> drawWorld(const Sampler &sampler, std::size_t count)
+{
+    Random random(7);
+    std::vector<Point3> samples;
+    sampler.draw(random, count, samples);
+    std::vector<vcg::Point3d> world;
+    for (const Point3 &sample : samples)
+        world.push_back(sampler.frame().toWorld(sample));
+    return world;
+}
+
+std::string refusal(const std::string &content)
+{
+    const TemporaryFile file(content);
+    try {
+        const PointFileSampler sampler(file.path());
+    } catch (const InvalidInput &error) {
+        const std::string sentence = error.what();
+        const std::string start = "PointFile '" + file.path() + "': ";
+        EXPECT_EQ(sentence.substr(0, start.size()), start);
+        return sentence.substr(start.size());
+    }
+    return "accepted";
+}
+
+TEST(PointFileSampler, draws_what_the_same_points_in_memory_give)
+{
+    const test::WorldPoints points = test::spherePoints(5003, 1); // not a multiple of eight
+    const TemporaryFile file(test::npyOf<double>(points));
+    const PointFileSampler inFile(file.path());
+    const PointCloudSampler inMemory(points);
+    EXPECT_EQ(inFile.pointCount(), 5003U);
+    EXPECT_EQ(inFile.bounds().min, inMemory.bounds().min);
+    EXPECT_EQ(inFile.bounds().max, inMemory.bounds().max);
+    EXPECT_EQ(drawWorld(inFile, 20000), drawWorld(inMemory, 20000));
+}
+
+TEST(PointFileSampler, draws_no_outliers)
+{
+    test::WorldPoints points = test::spherePoints(10000, 1);
+    Random random(2);
+    for (int i = 0; i < 500; ++i)
+        points.emplace_back(4 * random.unit() - 2, 4 * random.unit() - 2, 4 * random.unit() - 2);
+    const TemporaryFile file(test::plyOf<float>(points));
+    const PointFileSampler sampler(file.path());
+    EXPECT_NEAR(sampler.outlierShare(), 500.0 / 10500, 0.01);
+    int far = 0;
+    for (const vcg::Point3d &p : drawWorld(sampler, 20000))
+        far += std::abs(p.Norm() - 1) > 0.1 ? 1 : 0;
+    EXPECT_LT(far, 20); // of some 900 without the filter
+}
+
+TEST(PointFileSampler, counts_distinct_points_up_to_what_is_asked)
+{
+    test::WorldPoints twice = test::spherePoints(50, 1);
+    twice.insert(twice.end(), twice.begin(), twice.begin() + 50);
+    const TemporaryFile file(test::npyOf<double>(twice));
+    const PointFileSampler sampler(file.path());
+    EXPECT_EQ(sampler.countDistinctPoints(1000), 50U);
+    EXPECT_EQ(sampler.countDistinctPoints(20), 20U);
+}
+
+TEST(PointFileSampler, believes_a_las_header_only_where_its_bounds_fit_the_points)
+{
+    const vcg::Point3d shift(500000, 4500000, 100);
+    test::WorldPoints points = test::spherePoints(1000, 1);
+    for (vcg::Point3d &p : points)
+        p += shift;
+    vcg::Box3d fitting(shift - vcg::Point3d(1, 1, 1), shift + vcg::Point3d(1, 1, 1));
+    vcg::Box3d huge(shift - vcg::Point3d(9, 9, 9), shift + vcg::Point3d(9, 9, 9));
+    vcg::Box3d elsewhere(shift + vcg::Point3d(1, 1, 1), shift + vcg::Point3d(3, 3, 3));
+    vcg::Box3d notFinite = fitting;
+    notFinite.max.X() = std::nan("");
+    for (const vcg::Box3d &claimed : {fitting, huge, elsewhere, notFinite}) {
+        const TemporaryFile file(test::lasOf(points, 2, shift, claimed));
+        const PointFileSampler sampler(file.path());
+        // The sphere reaches to within 0.01 of its box in every direction.
+        EXPECT_NEAR(sampler.frame().diagonal(), 2 * std::sqrt(3.0), 0.03);
+        EXPECT_LT((sampler.frame().toWorld({0, 0, 0}) - shift).Norm(), 0.03);
+    }
+}
+
+TEST(PointFileSampler, refuses_what_cannot_carry_a_closed_surface)
+{
+    const auto refusalOf = [](const test::WorldPoints &points) {
+        return refusal(test::npyOf<double>(points));
+    };
+    EXPECT_NE(refusalOf(test::WorldPoints(9, {1, 2, 3})).find("in one place"), std::string::npos);
+    EXPECT_NE(refusalOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}}).find("Only 3 distinct"),
+              std::string::npos);
+    test::WorldPoints line, plane;
+    Random random(3);
+    for (int i = 0; i < 200; ++i) {
+        const double a = random.unit();
+        line.push_back(vcg::Point3d(3, -1, 2) * a);
+        plane.push_back(vcg::Point3d(3, -1, 2) * a + vcg::Point3d(1, 1, 0) * random.unit());
+    }
+    EXPECT_NE(refusalOf(line).find("on a line"), std::string::npos);
+    EXPECT_NE(refusalOf(plane).find("on a plane"), std::string::npos);
+    plane[5].X() = std::nan("");
+    EXPECT_NE(refusalOf(plane).find("1 of 200 points"), std::string::npos);
+    EXPECT_NE(refusalOf(plane).find("point 5"), std::string::npos);
+    EXPECT_NE(refusalOf(test::WorldPoints{{1e308, 0, 0}, {-1e308, 0, 0}}).find("too large"),
+              std::string::npos);
+}
+
+TEST(PointFileSampler, notices_that_the_file_shrinks_or_is_written_to)
+{
+    const std::string content = test::npyOf<double>(test::spherePoints(100, 1));
+    const TemporaryFile file(content);
+    const PointFileSampler sampler(file.path());
+    drawWorld(sampler, 10);
+    file.write(content.substr(0, content.size() / 2));
+    EXPECT_THROW(drawWorld(sampler, 10), InvalidInput);
+}
+
+TEST(PointFileSampler, can_be_cancelled_while_it_reads_the_file)
+{
+    const TemporaryFile file(test::npyOf<double>(test::spherePoints(100, 1)));
+    const auto stop = [](double, const char *) { return false; };
+    EXPECT_THROW(PointFileSampler(file.path(), stop), Cancelled);
+}
+
+} // namespace
+} // namespace neuralmesh
