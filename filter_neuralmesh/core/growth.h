@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "core/growth_parameters.h"
 #include "core/mesh/neural_mesh.h"
-#include "core/progress.h"
-#include "core/sampler.h"
+#include "neuralmesh/parameters.h"
+#include "neuralmesh/progress.h"
+#include "neuralmesh/sampler.h"
 
 namespace neuralmesh {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/random.h"
 #include "layers.h"
+#include "neuralmesh/random.h"
 #include "samplers/alias_table.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <common/ml_document/mesh_document.h>
 
 #include "core/result/attribute_transfer.h"
-#include "core/space/unit_frame.h"
+#include "neuralmesh/unit_frame.h"
 
 /// Layers whose attributes the result may take: those of their vertices, or of places all over
 /// their faces, between the vertices' values.

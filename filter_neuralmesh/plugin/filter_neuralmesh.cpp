@@ -3,13 +3,13 @@
 
 #include <chrono>
 
-#include "core/errors.h"
 #include "core/growth.h"
 #include "filter_descriptions.h"
 #include "filter_parameters.h"
 #include "filter_results.h"
 #include "host_progress.h"
 #include "layers.h"
+#include "neuralmesh/errors.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <random>
 
-#include "core/errors.h"
 #include "host_versions.h"
+#include "neuralmesh/errors.h"
 #include "target_space.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <common/ml_document/mesh_document.h>
 #include <common/parameters/rich_parameter_list.h>
 
-#include "core/growth_parameters.h"
+#include "neuralmesh/parameters.h"
 
 /// What each filter's dialog and scripts offer, with the core's defaults; for reconstruction,
 /// TargetVertNum is at most half the points of the current layer. The document is also that of

@@ -3,7 +3,7 @@
 
 #include <wrap/callback.h>
 
-#include "core/progress.h"
+#include "neuralmesh/progress.h"
 
 /// The host's callback as the core's progress, passed on at most ten times a second. Hosts ask to
 /// cancel by returning false.

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/errors.h"
 #include "core/mesh/manifold_mesh.h"
+#include "neuralmesh/errors.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "core/mesh/face_table.h"
 #include "core/mesh/neural_mesh.h"
-#include "core/space/unit_frame.h"
+#include "neuralmesh/unit_frame.h"
 
 /// The current layer. Throws InvalidInput where the document has none.
 const MeshModel &currentLayer(const MeshDocument &document);

@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "core/errors.h"
 #include "layers.h"
+#include "neuralmesh/errors.h"
 #include "samplers/files/point_file_sampler.h"
 #include "samplers/input_checks.h"
 #include "samplers/points/point_cloud_sampler.h"

@@ -8,8 +8,8 @@
 #include <common/parameters/rich_parameter_list.h>
 
 #include "attributes.h"
-#include "core/progress.h"
-#include "core/sampler.h"
+#include "neuralmesh/progress.h"
+#include "neuralmesh/sampler.h"
 
 /// What the network learns.
 struct TargetSpace {

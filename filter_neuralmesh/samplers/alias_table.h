@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/random.h"
+#include "neuralmesh/random.h"
 
 namespace neuralmesh {
 

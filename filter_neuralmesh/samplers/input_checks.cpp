@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "core/errors.h"
 #include "core/space/point_statistics.h"
+#include "neuralmesh/errors.h"
 
 namespace neuralmesh {
 namespace {

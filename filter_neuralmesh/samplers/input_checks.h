@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
-#include "core/space/unit_frame.h"
+#include "neuralmesh/unit_frame.h"
 
 namespace neuralmesh {
 

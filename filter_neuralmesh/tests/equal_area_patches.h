@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/sampler.h"
+#include "neuralmesh/sampler.h"
 
 namespace neuralmesh::test {
 

@@ -8,8 +8,8 @@
 
 #include "core/mesh/neural_mesh.h"
 #include "core/mesh/ring_topology.h"
-#include "core/random.h"
 #include "core/topology/starting_mesh.h"
+#include "neuralmesh/random.h"
 
 namespace neuralmesh::test {
 

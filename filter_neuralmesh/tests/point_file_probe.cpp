@@ -3,7 +3,7 @@
 // or the sentence of the refusal. Used on broken files, under sanitizers too.
 #include <cstdio>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 #include "samplers/files/point_file_sampler.h"
 
 int main(int argc, char **argv)

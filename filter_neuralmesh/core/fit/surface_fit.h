@@ -7,9 +7,9 @@
 #pragma once
 
 #include "core/network/growing_network.h"
-#include "core/progress.h"
-#include "core/random.h"
-#include "core/sampler.h"
+#include "neuralmesh/progress.h"
+#include "neuralmesh/random.h"
+#include "neuralmesh/sampler.h"
 
 namespace neuralmesh {
 

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "core/errors.h"
 #include "core/mesh/ring_topology.h"
+#include "neuralmesh/errors.h"
 
 namespace neuralmesh {
 namespace {

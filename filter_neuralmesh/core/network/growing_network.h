@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/growth_parameters.h"
 #include "core/mesh/neural_mesh.h"
 #include "core/network/signal_counters.h"
 #include "core/network/star_projection.h"
 #include "core/network/star_splits.h"
 #include "core/space/vertex_grid.h"
 #include "core/topology/sample_support.h"
+#include "neuralmesh/parameters.h"
 
 namespace neuralmesh {
 

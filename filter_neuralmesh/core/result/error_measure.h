@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/network/growing_network.h"
-#include "core/random.h"
-#include "core/sampler.h"
+#include "neuralmesh/random.h"
+#include "neuralmesh/sampler.h"
 
 namespace neuralmesh {
 

@@ -5,16 +5,9 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
+#include "neuralmesh/parameters.h"
 
 namespace neuralmesh {
-
-enum class StartMesh {
-    tetrahedron,
-    octahedron,
-    icosahedron,
-    /// The closed two-manifold that the caller gives, whose topology stays.
-    given
-};
 
 /// Makes `mesh` a regular tetrahedron with the given centre and circumradius, oriented outwards.
 void makeTetrahedron(NeuralMesh &mesh, const Point3 &centre, Scalar circumradius);

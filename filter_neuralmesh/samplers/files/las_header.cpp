@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 
 namespace neuralmesh {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 
 namespace neuralmesh {
 namespace {

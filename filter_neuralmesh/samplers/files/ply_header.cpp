@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 
 namespace neuralmesh {
 namespace {

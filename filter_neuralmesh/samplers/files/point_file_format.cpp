@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samplers/files/point_file_format.h"
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 #include "samplers/files/las_header.h"
 #include "samplers/files/npy_header.h"
 #include "samplers/files/ply_header.h"

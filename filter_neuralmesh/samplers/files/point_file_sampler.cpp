@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 #include "samplers/files/point_file_format.h"
 #include "samplers/files/point_survey.h"
 #include "samplers/input_checks.h"

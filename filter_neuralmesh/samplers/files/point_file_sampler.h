@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "core/progress.h"
-#include "core/sampler.h"
+#include "neuralmesh/progress.h"
+#include "neuralmesh/sampler.h"
 #include "samplers/files/mapped_file.h"
 #include "samplers/files/point_layout.h"
 #include "samplers/points/outlier_filter.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samplers/files/point_layout.h"
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 
 namespace neuralmesh {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 #include "samplers/input_checks.h"
 #include "samplers/points/distinct_points.h"
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/sampler.h"
+#include "neuralmesh/sampler.h"
 #include "samplers/alias_table.h"
 #include "samplers/points/outlier_filter.h"
 

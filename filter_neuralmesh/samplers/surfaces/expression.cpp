@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 
 namespace neuralmesh {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 #include "samplers/input_checks.h"
 #include "samplers/surfaces/root_finding.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/sampler.h"
+#include "neuralmesh/sampler.h"
 #include "samplers/surfaces/expression.h"
 #include "samplers/surfaces/surface_cells.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 #include "samplers/input_checks.h"
 
 namespace neuralmesh {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/sampler.h"
+#include "neuralmesh/sampler.h"
 #include "samplers/alias_table.h"
 #include "samplers/surfaces/expression.h"
 

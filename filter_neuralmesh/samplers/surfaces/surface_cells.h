@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 #include "samplers/surfaces/expression.h"
 
 namespace neuralmesh {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/errors.h"
 #include "core/mesh/triangle.h"
+#include "neuralmesh/errors.h"
 #include "samplers/input_checks.h"
 
 namespace neuralmesh {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mesh/face_table.h"
-#include "core/sampler.h"
+#include "neuralmesh/sampler.h"
 #include "samplers/alias_table.h"
 
 namespace neuralmesh {

@@ -2,10 +2,10 @@
 // Snapshots of growth: levels of detail from one run.
 #include <gtest/gtest.h>
 
-#include "core/errors.h"
 #include "core/growth.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_topology.h"
+#include "neuralmesh/errors.h"
 #include "samplers/points/point_cloud_sampler.h"
 #include "tests/meshes_for_tests.h"
 

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "core/errors.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_topology.h"
+#include "neuralmesh/errors.h"
 #include "tests/meshes_for_tests.h"
 
 namespace neuralmesh {

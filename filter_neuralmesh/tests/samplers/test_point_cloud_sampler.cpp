@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 #include "tests/meshes_for_tests.h"
 
 namespace neuralmesh {

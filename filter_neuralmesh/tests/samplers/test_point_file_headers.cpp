@@ -5,8 +5,8 @@
 
 #include <memory>
 
-#include "core/errors.h"
-#include "core/random.h"
+#include "neuralmesh/errors.h"
+#include "neuralmesh/random.h"
 #include "samplers/files/point_file_format.h"
 #include "samplers/files/point_survey.h"
 #include "tests/point_files_for_tests.h"

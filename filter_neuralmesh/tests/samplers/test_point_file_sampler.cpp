@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 #include "samplers/points/point_cloud_sampler.h"
 #include "tests/meshes_for_tests.h"
 #include "tests/point_files_for_tests.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samplers/surfaces/surface_sampler.h"
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 #include "tests/equal_area_patches.h"
 
 namespace neuralmesh {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/random.h"
+#include "neuralmesh/random.h"
 
 namespace neuralmesh {
 namespace {

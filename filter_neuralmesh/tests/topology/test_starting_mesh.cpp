@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "core/errors.h"
 #include "core/growth.h"
 #include "core/mesh/manifold_mesh.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_topology.h"
+#include "neuralmesh/errors.h"
 #include "samplers/points/point_cloud_sampler.h"
 #include "tests/meshes_for_tests.h"
 

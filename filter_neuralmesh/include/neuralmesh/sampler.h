@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
-#include "core/random.h"
-#include "core/space/unit_frame.h"
+#include "neuralmesh/random.h"
+#include "neuralmesh/unit_frame.h"
 
 namespace neuralmesh {
 

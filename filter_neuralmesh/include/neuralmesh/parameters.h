@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/topology/starting_mesh.h"
-
 namespace neuralmesh {
 
 enum class SplitRule {
@@ -17,6 +15,14 @@ enum class SplitRule {
     /// The split that halves the star, counters that count signals, λ throughout, and the nearest
     /// vertex as the winner, as in the paper.
     paper
+};
+
+enum class StartMesh {
+    tetrahedron,
+    octahedron,
+    icosahedron,
+    /// The closed two-manifold that the caller gives, whose topology stays.
+    given
 };
 
 /// Where a default is a measurement, it is RMS error to the mesh in per cent of the diagonal, the

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 
 namespace neuralmesh {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/growth_parameters.h"
+#include "neuralmesh/parameters.h"
 
 #include <string>
 
-#include "core/errors.h"
+#include "neuralmesh/errors.h"
 
 namespace neuralmesh {
 namespace {
