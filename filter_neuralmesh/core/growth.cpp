@@ -253,8 +253,7 @@ private:
             return;
         ++snapshotsTaken_;
         auto snapshot = std::make_unique<NeuralMesh>();
-        snapshot->vert = network_.mesh().vert;
-        snapshot->vn = network_.mesh().vn;
+        snapshot->copyNetwork(network_.mesh());
         if (parameters_.surfaceFit)
             finishSnapshot(*snapshot);
         finishMesh(*snapshot);

@@ -19,10 +19,9 @@ using Triangle = std::array<VertexId, 3>;
 inline void makeMesh(NeuralMesh &mesh, const std::vector<Point3> &points,
                      const std::vector<Triangle> &faces)
 {
-    std::vector<VertexId> noFreeSlots;
     mesh.Clear();
     for (const Point3 &point : points)
-        addVertex(mesh, noFreeSlots, point);
+        mesh.addVertex(point);
     for (VertexId v = 0; v < points.size(); ++v) {
         // successor[a] = b for each face (v, a, b)
         std::vector<VertexId> successor(points.size(), noVertex);

@@ -169,13 +169,11 @@ void orient(const std::vector<Point3> &points, Faces &faces)
 void addVertices(NeuralMesh &mesh, const std::vector<Point3> &points, Faces &faces)
 {
     std::vector<VertexId> place(points.size(), noVertex);
-    std::vector<VertexId> noFreeSlots;
     mesh.Clear();
     for (Corners &face : faces)
         for (VertexId &v : face) {
             if (place[v] == noVertex) {
-                place[v] = mesh.idBound();
-                addVertex(mesh, noFreeSlots, points[v]);
+                place[v] = mesh.addVertex(points[v]);
             }
             v = place[v];
         }

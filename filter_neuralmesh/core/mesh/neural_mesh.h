@@ -2,6 +2,8 @@
 // The network, which is the mesh: VCG types with a neighbour ring in every vertex.
 #pragma once
 
+#include <vector>
+
 #include <vcg/complex/complex.h>
 
 #include "core/mesh/one_ring.h"
@@ -26,6 +28,18 @@ class NeuralVertex : public vcg::Vertex<NeuralTypes, vcg::vertex::Coord3d, vcg::
 class NeuralFace : public vcg::Face<NeuralTypes, vcg::face::VertexRef, vcg::face::Normal3d,
                                     vcg::face::FFAdj, vcg::face::Mark, vcg::face::BitFlags> {};
 
+/// Told of every vertex that comes and goes: data of the vertices, and indices of them.
+class VertexFollower {
+public:
+    /// The vertex has its position, and no neighbours yet.
+    virtual void vertexAdded(VertexId v) = 0;
+    virtual void vertexRemoved(VertexId v) = 0;
+
+protected:
+    ~VertexFollower() = default;
+};
+
+/// Owns its vertices' slots: that of a removed vertex is used again for the next that is added.
 class NeuralMesh : public vcg::tri::TriMesh<std::vector<NeuralVertex>, std::vector<NeuralFace>> {
 public:
     // Not by cP(): before 2023, VCGlib's returns a copy, to which this would dangle.
@@ -38,6 +52,28 @@ public:
 
     /// Slots in use or free: every id is below this.
     VertexId idBound() const { return static_cast<VertexId>(vert.size()); }
+
+    /// A new vertex without neighbours.
+    VertexId addVertex(Point3 position);
+
+    /// Removes a vertex that no other is joined to any more.
+    void removeVertex(VertexId v);
+
+    /// Makes this the other's network: its vertices by the same ids, without faces. Nothing may
+    /// follow this mesh.
+    void copyNetwork(const NeuralMesh &other);
+
+    /// Removes all. Nothing may follow this mesh.
+    void Clear(); // hides VCG's, which knows no slots
+
+    /// From now on, the follower hears of changes, after those that followed before it.
+    void follow(VertexFollower &follower) const { followers_.push_back(&follower); }
+    void unfollow(VertexFollower &follower) const;
+
+private:
+    std::vector<VertexId> freeSlots_; ///< the last is used first
+    /// Who follows is no part of what the mesh is.
+    mutable std::vector<VertexFollower *> followers_;
 };
 
 } // namespace neuralmesh

@@ -78,13 +78,12 @@ bool canCut(const NeuralMesh &mesh, const std::vector<VertexId> &loop)
     return true;
 }
 
-std::vector<VertexId> cutOpen(NeuralMesh &mesh, const std::vector<VertexId> &loop,
-                              std::vector<VertexId> &freeSlots)
+std::vector<VertexId> cutOpen(NeuralMesh &mesh, const std::vector<VertexId> &loop)
 {
     const std::size_t size = loop.size();
     std::vector<VertexId> copies;
     for (const VertexId v : loop)
-        copies.push_back(addVertex(mesh, freeSlots, mesh.position(v)));
+        copies.push_back(mesh.addVertex(mesh.position(v)));
     for (std::size_t k = 0; k < size; ++k) {
         const std::size_t after = cyclic(k + 1, size);
         const std::size_t before = cyclic(k + size - 1, size);

@@ -25,7 +25,6 @@ bool canCut(const NeuralMesh &mesh, const std::vector<VertexId> &loop);
 /// lies to its right gets copies, which are returned in the loop's order. Requires canCut(). The
 /// two holes are to be filled, by refillDisc(): to the left of the loop backwards, and to the left
 /// of the copies forwards.
-std::vector<VertexId> cutOpen(NeuralMesh &mesh, const std::vector<VertexId> &loop,
-                              std::vector<VertexId> &freeSlots);
+std::vector<VertexId> cutOpen(NeuralMesh &mesh, const std::vector<VertexId> &loop);
 
 } // namespace neuralmesh

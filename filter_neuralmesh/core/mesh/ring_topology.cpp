@@ -40,27 +40,6 @@ OppositeVertices oppositeVertices(const NeuralMesh &mesh, VertexId v, VertexId u
     return {ring[ring.next(place)], ring[ring.previous(place)]};
 }
 
-VertexId addVertex(NeuralMesh &mesh, std::vector<VertexId> &freeSlots, Point3 position)
-{
-    if (freeSlots.empty()) {
-        vcg::tri::Allocator<NeuralMesh>::AddVertex(mesh, position);
-        return mesh.idBound() - 1;
-    }
-    const VertexId id = freeSlots.back();
-    freeSlots.pop_back();
-    mesh.vert[id].ClearD();
-    mesh.position(id) = position;
-    ++mesh.vn;
-    return id;
-}
-
-void removeVertex(NeuralMesh &mesh, VertexId v, std::vector<VertexId> &freeSlots)
-{
-    mesh.ring(v).clear();
-    vcg::tri::Allocator<NeuralMesh>::DeleteVertex(mesh, mesh.vert[v]);
-    freeSlots.push_back(v);
-}
-
 bool canCollapse(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     // Two neighbours of valence 3 that pass the link condition are corners of a tetrahedron.
@@ -68,7 +47,7 @@ bool canCollapse(const NeuralMesh &mesh, VertexId v, VertexId u)
            (mesh.valence(v) > 3 || mesh.valence(u) > 3);
 }
 
-void collapse(NeuralMesh &mesh, VertexId v, VertexId u, std::vector<VertexId> &freeSlots)
+void collapse(NeuralMesh &mesh, VertexId v, VertexId u)
 {
     // v's ring, from u on: u, left, x1 ... xm, right. u's ring holds left, v, right in a row, and
     // v there gives way to x1 ... xm.
@@ -85,7 +64,7 @@ void collapse(NeuralMesh &mesh, VertexId v, VertexId u, std::vector<VertexId> &f
         replaceNeighbour(mesh.ring(x), v, u);
         kept.insert(place++, x);
     }
-    removeVertex(mesh, v, freeSlots);
+    mesh.removeVertex(v);
 }
 
 void split(NeuralMesh &mesh, VertexId v, int first, int last, VertexId w)
@@ -130,8 +109,7 @@ void flip(NeuralMesh &mesh, VertexId v, VertexId u)
 }
 
 void refillDisc(NeuralMesh &mesh, const std::vector<VertexId> &rim,
-                const std::vector<VertexId> &interior, const std::vector<LoopTriangle> &triangles,
-                std::vector<VertexId> &freeSlots)
+                const std::vector<VertexId> &interior, const std::vector<LoopTriangle> &triangles)
 {
     const std::size_t size = rim.size();
     // Each diagonal is once the longest side, in places, of a triangle.
@@ -164,7 +142,7 @@ void refillDisc(NeuralMesh &mesh, const std::vector<VertexId> &rim,
             ring.pushBack(before[i]);
     }
     for (const VertexId v : interior)
-        removeVertex(mesh, v, freeSlots);
+        mesh.removeVertex(v);
 }
 
 void rebuildFaces(NeuralMesh &mesh)

@@ -21,20 +21,13 @@ struct OppositeVertices {
 /// u must be a neighbour of v.
 OppositeVertices oppositeVertices(const NeuralMesh &mesh, VertexId v, VertexId u);
 
-/// A new vertex without neighbours, in a removed vertex's slot where there is one.
-VertexId addVertex(NeuralMesh &mesh, std::vector<VertexId> &freeSlots, Point3 position);
-
-/// Removes a vertex that no other is joined to any more; its slot goes to freeSlots.
-void removeVertex(NeuralMesh &mesh, VertexId v, std::vector<VertexId> &freeSlots);
-
 /// Whether edge (v, u) may collapse: the link condition (v and u have just their two opposite
 /// vertices in common), and their component is no tetrahedron, which stays one. False where v and
 /// u are no neighbours.
 bool canCollapse(const NeuralMesh &mesh, VertexId v, VertexId u);
 
 /// Removes v by collapsing edge (v, u) into u, whose position stays. Requires canCollapse(v, u).
-/// v's slot is flagged deleted and added to freeSlots.
-void collapse(NeuralMesh &mesh, VertexId v, VertexId u, std::vector<VertexId> &freeSlots);
+void collapse(NeuralMesh &mesh, VertexId v, VertexId u);
 
 /// Splits v: the new vertex w, already in the mesh without neighbours, takes the neighbours of v
 /// from ring place `first` to `last` counter-clockwise; both of these become neighbours of both.
@@ -50,11 +43,9 @@ bool canFlip(const NeuralMesh &mesh, VertexId v, VertexId u);
 void flip(NeuralMesh &mesh, VertexId v, VertexId u);
 
 /// Replaces a disc by the triangulation of its rim (the loop around it, its faces to the left) and
-/// removes its interior vertices, whose slots go to freeSlots. No diagonal may be an edge outside
-/// the disc.
+/// removes its interior vertices. No diagonal may be an edge outside the disc.
 void refillDisc(NeuralMesh &mesh, const std::vector<VertexId> &rim,
-                const std::vector<VertexId> &interior, const std::vector<LoopTriangle> &triangles,
-                std::vector<VertexId> &freeSlots);
+                const std::vector<VertexId> &interior, const std::vector<LoopTriangle> &triangles);
 
 /// Makes mesh.face from the rings, each face once, its lowest id first. Removed vertices' slots
 /// stay: compact on the way out.

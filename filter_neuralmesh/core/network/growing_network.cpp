@@ -44,17 +44,12 @@ constexpr Scalar sheetDistance = 0.8;
 
 GrowingNetwork::GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
                                const GrowthParameters &parameters)
-    : parameters_(parameters), mesh_(startingMesh), grid_(bounds)
+    : parameters_(parameters), mesh_(startingMesh), grid_(bounds), lastWin_(startingMesh)
 {
-    for (VertexId v = 0; v < mesh_.idBound(); ++v) {
-        lastWin_.push_back(0);
-        if (!mesh_.isLive(v)) {
-            freeSlots_.push_back(v);
-            continue;
-        }
-        grid_.insert(v, mesh_.position(v));
-        counters_.insert(v, 0);
-    }
+    for (VertexId v = 0; v < mesh_.idBound(); ++v)
+        if (mesh_.isLive(v))
+            vertexAdded(v);
+    mesh_.follow(*this);
     updateDecay();
 }
 
@@ -114,7 +109,7 @@ std::vector<VertexId> GrowingNetwork::exchangeIrregular()
     int wanted = 0;
     const auto spare = [&](VertexId v) {
         if (const VertexId into = bestCollapseOnSurface(mesh_, v); into != noVertex) {
-            remove(v, into);
+            neuralmesh::collapse(mesh_, v, into);
             ++spared;
         }
     };
@@ -225,9 +220,8 @@ VertexId GrowingNetwork::splitOff(VertexId v)
 VertexId GrowingNetwork::splitStar(const StarSplit &star, const Point3 &position)
 {
     const VertexId v = star.vertex;
-    const VertexId w = addVertex(mesh_, freeSlots_, position);
+    const VertexId w = mesh_.addVertex(position);
     split(mesh_, v, star.first, star.last, w);
-    enrol(w);
     shareCounter(v, w);
     if (parameters_.edgeFlips) {
         evenValencesAround(mesh_, v);
@@ -291,7 +285,7 @@ int GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const Sample
     judgeOpenness(support);
     for (const VertexId v : vertices)
         if (const VertexId into = bestCollapse(mesh_, v); into != noVertex)
-            remove(v, into);
+            neuralmesh::collapse(mesh_, v, into);
     if (!isOpen_) {
         retractWebs(mesh_, support);
         if (parameters_.splitRule == SplitRule::balanced && vertexCount() >= webVertices) {
@@ -314,42 +308,25 @@ void GrowingNetwork::judgeOpenness(const SampleSupport &support)
 
 void GrowingNetwork::removeWebs(const SampleSupport &support)
 {
-    for (const Refilling &web : findWebs(mesh_, support)) {
-        refillDisc(mesh_, web.rim, web.interior, web.triangles, freeSlots_);
-        for (const VertexId v : web.interior)
-            forget(v);
-    }
+    for (const Refilling &web : findWebs(mesh_, support))
+        refillDisc(mesh_, web.rim, web.interior, web.triangles);
 }
 
 void GrowingNetwork::mendTears(const SampleSupport &support)
 {
-    for (int tear = 0; tear < mostTears; ++tear) {
-        const auto changes = mendTear(mesh_, support, parameters_.targetVertexCount, freeSlots_);
-        if (!changes)
+    for (int tear = 0; tear < mostTears; ++tear)
+        if (!mendTear(mesh_, support, parameters_.targetVertexCount))
             return;
-        for (const VertexId v : changes->removed)
-            forget(v);
-        for (const VertexId v : changes->added)
-            enrol(v);
-    }
 }
 
-void GrowingNetwork::remove(VertexId v, VertexId into)
-{
-    neuralmesh::collapse(mesh_, v, into, freeSlots_);
-    forget(v);
-}
-
-void GrowingNetwork::enrol(VertexId v)
+void GrowingNetwork::vertexAdded(VertexId v)
 {
     grid_.insert(v, mesh_.position(v));
     counters_.insert(v, 0);
-    if (v >= lastWin_.size())
-        lastWin_.resize(static_cast<std::size_t>(v) + 1);
     lastWin_[v] = signals_;
 }
 
-void GrowingNetwork::forget(VertexId v)
+void GrowingNetwork::vertexRemoved(VertexId v)
 {
     grid_.erase(v);
     counters_.erase(v);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
+#include "core/mesh/vertex_data.h"
 #include "core/network/signal_counters.h"
 #include "core/network/star_projection.h"
 #include "core/network/star_splits.h"
@@ -15,13 +16,17 @@
 
 namespace neuralmesh {
 
-/// Owns the mesh, the nearest-neighbour index of its vertices and their signal counters, and keeps
-/// the three in step.
-class GrowingNetwork {
+/// The mesh, the nearest-neighbour index of its vertices and their signal counters. Index and
+/// counters follow the mesh: whatever adds and removes vertices need not know of them. Only what
+/// moves a vertex does, by moveVertex().
+class GrowingNetwork final : private VertexFollower {
 public:
     /// Starts from a closed manifold mesh in the unit frame; `bounds` are those of the samples.
     GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
                    const GrowthParameters &parameters);
+    ~GrowingNetwork() { mesh_.unfollow(*this); }
+    GrowingNetwork(const GrowingNetwork &) = delete;
+    GrowingNetwork &operator=(const GrowingNetwork &) = delete;
 
     const NeuralMesh &mesh() const { return mesh_; }
     int vertexCount() const { return mesh_.vn; }
@@ -102,20 +107,18 @@ private:
     void shareCounter(VertexId v, VertexId w);
     Scalar voronoiArea(VertexId v) const;
     bool isInactive(VertexId v) const;
-    void remove(VertexId v, VertexId into);
     void judgeOpenness(const SampleSupport &support);
     void removeWebs(const SampleSupport &support);
     void mendTears(const SampleSupport &support);
-    void enrol(VertexId v);
-    void forget(VertexId v);
+    void vertexAdded(VertexId v) override;
+    void vertexRemoved(VertexId v) override;
     void updateDecay();
 
     GrowthParameters parameters_;
     NeuralMesh &mesh_;
     VertexGrid grid_;
     SignalCounters counters_;
-    std::vector<std::uint64_t> lastWin_; ///< by id: signals_ when the vertex last won or was made
-    std::vector<VertexId> freeSlots_;
+    VertexData<std::uint64_t> lastWin_;   ///< signals_ when the vertex last won or was made
     std::vector<Neighbourhood> smoothed_; ///< scratch of smoothNeighbours()
     double decayPerSignal_ = 1;
     std::uint64_t signals_ = 0;

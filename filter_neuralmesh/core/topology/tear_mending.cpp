@@ -61,14 +61,13 @@ private:
 
 class TearMending {
 public:
-    TearMending(NeuralMesh &mesh, const SampleSupport &support, int mostVertices,
-                std::vector<VertexId> &freeSlots)
-        : mesh_(mesh), support_(support), mostVertices_(mostVertices), freeSlots_(freeSlots),
+    TearMending(NeuralMesh &mesh, const SampleSupport &support, int mostVertices)
+        : mesh_(mesh), support_(support), mostVertices_(mostVertices),
           components_(labelComponents(mesh))
     {
     }
 
-    std::optional<TearChanges> run()
+    bool run()
     {
         const FaceTable faces(mesh_);
         findStumps(faces);
@@ -83,9 +82,9 @@ public:
             return a.bridge.gain > b.bridge.gain;
         });
         for (std::size_t i = 0; i < pairs.size() && i < mostTried; ++i)
-            if (std::optional<TearChanges> changes = mend(pairs[i]))
-                return changes;
-        return std::nullopt;
+            if (mend(pairs[i]))
+                return true;
+        return false;
     }
 
 private:
@@ -116,7 +115,7 @@ private:
         return std::none_of(a.patch.rim.begin(), a.patch.rim.end(), isShared);
     }
 
-    std::optional<TearChanges> mend(const Pair &pair)
+    bool mend(const Pair &pair)
     {
         const Patch &first = stumps_[pair.first].patch;
         const Patch &second = stumps_[pair.second].patch;
@@ -130,23 +129,15 @@ private:
                               static_cast<int>(first.interior.size() + second.interior.size());
         if (!(cut.cost < mostCostOfCut * pair.bridge.gain) || vertices > mostVertices_) {
             backup.restore(mesh_);
-            return std::nullopt;
+            return false;
         }
-        TearChanges changes;
         for (const Patch *patch : {&first, &second})
-            for (const VertexId v : patch->interior) {
-                removeVertex(mesh_, v, freeSlots_);
-                changes.removed.push_back(v);
-            }
-        changes.added = cutOpen(mesh_, cut.loop, freeSlots_);
-        close(changes.added, cut.cap);
-        close({cut.loop.rbegin(), cut.loop.rend()}, mirrored(cut.cap, cut.loop.size()));
-        return changes;
-    }
-
-    void close(const std::vector<VertexId> &hole, const std::vector<LoopTriangle> &cap)
-    {
-        refillDisc(mesh_, hole, {}, cap, freeSlots_);
+            for (const VertexId v : patch->interior)
+                mesh_.removeVertex(v);
+        refillDisc(mesh_, cutOpen(mesh_, cut.loop), {}, cut.cap);
+        refillDisc(mesh_, {cut.loop.rbegin(), cut.loop.rend()}, {},
+                   mirrored(cut.cap, cut.loop.size()));
+        return true;
     }
 
     /// The same triangles for the loop walked backwards.
@@ -191,17 +182,15 @@ private:
     NeuralMesh &mesh_;
     const SampleSupport &support_;
     int mostVertices_;
-    std::vector<VertexId> &freeSlots_;
     std::vector<int> components_; ///< by vertex, before anything is changed
     std::vector<Stump> stumps_;
 };
 
 } // namespace
 
-std::optional<TearChanges> mendTear(NeuralMesh &mesh, const SampleSupport &support,
-                                    int mostVertices, std::vector<VertexId> &freeSlots)
+bool mendTear(NeuralMesh &mesh, const SampleSupport &support, int mostVertices)
 {
-    return TearMending(mesh, support, mostVertices, freeSlots).run();
+    return TearMending(mesh, support, mostVertices).run();
 }
 
 } // namespace neuralmesh

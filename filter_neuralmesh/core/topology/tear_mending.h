@@ -7,23 +7,14 @@
 // the handle is cut where that costs least and both ends are closed.
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "core/mesh/neural_mesh.h"
 #include "core/topology/sample_support.h"
 
 namespace neuralmesh {
 
-struct TearChanges {
-    std::vector<VertexId> removed; ///< their slots are free again, and some are taken by `added`
-    std::vector<VertexId> added;
-};
-
 /// Mends one tear where that brings faces and samples nearer to each other; the mesh keeps its
-/// genus and its components and gets no more than `mostVertices` vertices. Returns what changed,
-/// or nothing where no tear was found that could be mended.
-std::optional<TearChanges> mendTear(NeuralMesh &mesh, const SampleSupport &support,
-                                    int mostVertices, std::vector<VertexId> &freeSlots);
+/// genus and its components and gets no more than `mostVertices` vertices. Returns whether a tear
+/// was found that could be mended.
+bool mendTear(NeuralMesh &mesh, const SampleSupport &support, int mostVertices);
 
 } // namespace neuralmesh

@@ -62,13 +62,12 @@ TEST(RingSurgery, a_cut_round_a_handle_leaves_a_sphere_when_both_ends_are_closed
 {
     NeuralMesh mesh;
     test::makeTorus(mesh, 8, 5);
-    std::vector<VertexId> freeSlots;
     const std::vector<VertexId> loop{0, 1, 2, 3, 4}; // round the tube
     ASSERT_TRUE(canCut(mesh, loop));
-    const std::vector<VertexId> copies = cutOpen(mesh, loop, freeSlots);
+    const std::vector<VertexId> copies = cutOpen(mesh, loop);
     const std::vector<LoopTriangle> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
-    refillDisc(mesh, copies, {}, fan, freeSlots);
-    refillDisc(mesh, {loop.rbegin(), loop.rend()}, {}, fan, freeSlots);
+    refillDisc(mesh, copies, {}, fan);
+    refillDisc(mesh, {loop.rbegin(), loop.rend()}, {}, fan);
     EXPECT_EQ(findDefect(mesh), "");
     EXPECT_EQ(measureTopology(mesh).genus, 0);
     EXPECT_EQ(measureTopology(mesh).components, 1);

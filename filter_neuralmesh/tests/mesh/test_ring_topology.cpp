@@ -130,8 +130,7 @@ TEST(RingTopology, a_split_gives_both_vertices_the_promised_valences)
 {
     NeuralMesh mesh;
     makeOctahedron(mesh);
-    std::vector<VertexId> freeSlots;
-    const VertexId w = addVertex(mesh, freeSlots, {2, 0, 0});
+    const VertexId w = mesh.addVertex({2, 0, 0});
     split(mesh, 0, 1, 3, w); // half of the star of a vertex of valence 4
     validate(mesh);
     EXPECT_EQ(mesh.valence(w), 4);
@@ -146,16 +145,15 @@ TEST(RingTopology, a_collapse_undoes_a_split)
     std::vector<std::set<VertexId>> before;
     for (VertexId v = 0; v < 16; ++v)
         before.emplace_back(mesh.ring(v).begin(), mesh.ring(v).end());
-    std::vector<VertexId> freeSlots;
-    const VertexId w = addVertex(mesh, freeSlots, {0, 0, 0});
+    const VertexId w = mesh.addVertex({0, 0, 0});
     split(mesh, 5, 4, 1, w); // across the ring's first place
     validate(mesh);
     ASSERT_TRUE(canCollapse(mesh, w, 5));
-    collapse(mesh, w, 5, freeSlots);
+    collapse(mesh, w, 5);
     validate(mesh);
     for (VertexId v = 0; v < 16; ++v)
         EXPECT_EQ(std::set<VertexId>(mesh.ring(v).begin(), mesh.ring(v).end()), before[v]);
-    EXPECT_EQ(addVertex(mesh, freeSlots, {0, 0, 0}), w); // the slot is used again
+    EXPECT_EQ(mesh.addVertex({0, 0, 0}), w); // the slot is used again
 }
 
 TEST(RingTopology, a_flip_turns_the_edge_and_flipping_again_turns_it_back)
@@ -216,7 +214,7 @@ TEST(RingTopology, turning_round_changes_the_sign_of_the_volume)
 }
 
 /// A random operation on a random edge, where it is allowed.
-void mutate(NeuralMesh &mesh, Random &random, std::vector<VertexId> &freeSlots, int most)
+void mutate(NeuralMesh &mesh, Random &random, int most)
 {
     const std::vector<VertexId> live = liveVertices(mesh);
     const VertexId v = live[random.below(live.size())];
@@ -226,7 +224,7 @@ void mutate(NeuralMesh &mesh, Random &random, std::vector<VertexId> &freeSlots, 
     switch (random.below(3)) {
     case 0:
         if (canCollapse(mesh, v, u))
-            collapse(mesh, v, u, freeSlots);
+            collapse(mesh, v, u);
         return;
     case 1:
         if (canFlip(mesh, v, u))
@@ -235,7 +233,7 @@ void mutate(NeuralMesh &mesh, Random &random, std::vector<VertexId> &freeSlots, 
     default:
         if (mesh.vn < most) {
             const auto span = 1 + random.below(static_cast<std::uint64_t>(valence) - 1);
-            const VertexId w = addVertex(mesh, freeSlots, mesh.position(v));
+            const VertexId w = mesh.addVertex(mesh.position(v));
             split(mesh, v, place, (place + static_cast<int>(span)) % valence, w);
         }
     }
@@ -244,9 +242,8 @@ void mutate(NeuralMesh &mesh, Random &random, std::vector<VertexId> &freeSlots, 
 void mutateAndValidate(NeuralMesh &mesh, std::uint64_t seed, int operations, int most, int genus)
 {
     Random random(seed);
-    std::vector<VertexId> freeSlots;
     for (int i = 0; i < operations; ++i) {
-        mutate(mesh, random, freeSlots, most);
+        mutate(mesh, random, most);
         ASSERT_NO_THROW(validate(mesh)) << "seed " << seed << ", operation " << i;
         ASSERT_EQ(measureTopology(mesh).genus, genus);
         ASSERT_EQ(measureTopology(mesh).components, 1);

@@ -27,9 +27,7 @@ VertexId makeTorusWithAnExtraVertex(NeuralMesh &mesh)
     const NeighbourRing ring = mesh.ring(0);
     const VertexId a = ring[0];
     const VertexId b = ring[1];
-    std::vector<VertexId> noFreeSlots;
-    const VertexId v =
-        addVertex(mesh, noFreeSlots, (mesh.position(0) + mesh.position(a) + mesh.position(b)) / 3);
+    const VertexId v = mesh.addVertex((mesh.position(0) + mesh.position(a) + mesh.position(b)) / 3);
     for (const auto &[corner, next] : {std::pair{VertexId(0), a}, {a, b}, {b, VertexId(0)}})
         mesh.ring(corner).insert(mesh.ring(corner).find(next) + 1, v);
     for (const VertexId corner : {VertexId(0), a, b})
@@ -68,8 +66,7 @@ TEST(StarSplits, a_raising_split_gives_one_neighbour_more_and_lowers_the_sum)
     const StarSplit split = bestRaisingSplit(mesh, v);
     ASSERT_NE(split.vertex, noVertex);
     const int before = spreadOf(mesh);
-    std::vector<VertexId> noFreeSlots;
-    const VertexId w = addVertex(mesh, noFreeSlots, middleOfSpan(mesh, split));
+    const VertexId w = mesh.addVertex(middleOfSpan(mesh, split));
     neuralmesh::split(mesh, split.vertex, split.first, split.last, w);
     EXPECT_EQ(findDefect(mesh), "");
     EXPECT_EQ(mesh.valence(v), 4);

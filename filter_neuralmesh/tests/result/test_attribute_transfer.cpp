@@ -53,8 +53,7 @@ TEST(AttributeTransfer, values_come_in_order_of_live_vertices)
 {
     NeuralMesh mesh;
     test::makeTorus(mesh, 8, 6);
-    std::vector<VertexId> freeSlots;
-    collapse(mesh, 3, mesh.ring(3)[0], freeSlots);
+    collapse(mesh, 3, mesh.ring(3)[0]);
     AttributeTransfer transfer(mesh, boundsOf(mesh));
     for (VertexId v = 0; v < mesh.idBound(); ++v)
         if (mesh.isLive(v))

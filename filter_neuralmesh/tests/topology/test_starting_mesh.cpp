@@ -119,9 +119,8 @@ TEST(StartingMesh, several_components_stay_apart)
     NeuralMesh tetrahedron;
     makeTetrahedron(tetrahedron, {6, 0, 0}, 1);
     const VertexId first = mesh.idBound();
-    std::vector<VertexId> noFreeSlots;
     for (VertexId v = 0; v < 4; ++v)
-        addVertex(mesh, noFreeSlots, tetrahedron.position(v));
+        mesh.addVertex(tetrahedron.position(v));
     for (VertexId v = 0; v < 4; ++v)
         for (const VertexId u : tetrahedron.ring(v))
             mesh.ring(first + v).pushBack(first + u);

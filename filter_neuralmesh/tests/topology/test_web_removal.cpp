@@ -76,10 +76,9 @@ TEST(WebRemoval, refilling_a_web_leaves_a_closed_two_manifold_of_the_same_topolo
     NeuralMesh mesh;
     makeWeb(mesh, gap);
     validate(mesh);
-    std::vector<VertexId> freeSlots;
     const std::vector<Refilling> webs = findWebs(mesh, supportOfPosts(mesh, gap));
     ASSERT_EQ(webs.size(), 1U);
-    refillDisc(mesh, webs[0].rim, webs[0].interior, webs[0].triangles, freeSlots);
+    refillDisc(mesh, webs[0].rim, webs[0].interior, webs[0].triangles);
     validate(mesh);
     const TopologyFigures topology = measureTopology(mesh);
     EXPECT_EQ(topology.genus, 0);
