@@ -8,7 +8,7 @@ FILTER = "Neural Mesh Reconstruction"
 # Where MeshLab looks for plugins of a user, below the home folder.
 EXTRA_PLUGINS = ".local/share/VCG/MeshLab_64bit_fp/MeshLabExtraPlugins/2025.07"
 
-# Made by scripts/desktop/run.py, in the folder that both sides see.
+# Made by neuralmesh_tools/desktop/run.py, in the folder that both sides see.
 CLOUD = "bunny.ply"  # 28,088 points
 SMALL = "small.ply"
 SMALL_POINTS = 600

@@ -89,7 +89,7 @@ def test_refusal_shows_a_sentence_and_leaves_the_document_as_it_was(
     dismiss(meshlab)
     meshlab.wait_for_log(f"{FILTER} failed: {sentence}")
     assert meshlab.layers() == ["few"]
-    meshlab.save_layer(work / KEPT_CLOUD)  # compared with the input by scripts/desktop/run.py
+    meshlab.save_layer(work / KEPT_CLOUD)  # compared with the input afterwards
 
 
 def test_empty_document_is_refused_with_a_sentence(

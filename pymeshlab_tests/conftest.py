@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import numpy as np
@@ -11,17 +10,13 @@ import pymeshlab
 import pytest
 from numpy.typing import NDArray
 
+from neuralmesh_tools.project import PLUGIN
+from neuralmesh_tools.project import sample_meshes as sample_meshes_folder
+
 # PyMeshLab 2022.2, which the plugin can be built for, has older names for these.
 if not hasattr(pymeshlab.Mesh, "transform_matrix"):
     pymeshlab.Mesh.transform_matrix = pymeshlab.Mesh.trasform_matrix
     pymeshlab.MeshSet.mesh_number = pymeshlab.MeshSet.number_meshes
-
-ROOT = Path(__file__).resolve().parent.parent
-# Set for a plugin that was built for another version of PyMeshLab, with whose Python to test it.
-PLUGIN = Path(
-    os.environ.get("NEURALMESH_PLUGIN") or ROOT / "build" / "pymeshlab" / "libfilter_neuralmesh.so"
-)
-SAMPLE_MESHES = Path(pymeshlab.__file__).resolve().parent / "tests" / "sample_meshes"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -53,7 +48,7 @@ def mesh_set(plugin: Path) -> pymeshlab.MeshSet:
 @pytest.fixture(scope="session")
 def sample_meshes() -> Path:
     """The folder of bunny.obj and the other meshes that the pymeshlab wheel brings."""
-    return SAMPLE_MESHES
+    return sample_meshes_folder()
 
 
 @pytest.fixture(scope="session")

@@ -13,7 +13,8 @@ import psutil
 import pymeshlab
 import pytest
 from batches import csv_rows, errors, record_files, report, run_batch, start_batch, wait_for
-from small_clouds import bumpy_ellipsoid, write_clouds, write_ply
+
+from neuralmesh_tools.generated_clouds import bumpy_ellipsoid, write_clouds, write_ply
 
 pytestmark = pytest.mark.usefixtures("plugin")
 

@@ -13,7 +13,8 @@ from pathlib import Path
 
 import pytest
 from batches import record_files, report, run_batch, start_batch, wait_for
-from small_clouds import write_clouds
+
+from neuralmesh_tools.generated_clouds import write_clouds
 
 pytestmark = pytest.mark.usefixtures("plugin")
 

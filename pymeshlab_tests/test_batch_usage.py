@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 from batches import run_batch
-from batching.inputs import InputError, Item, find_items
-from batching.recipe import Recipe, RecipeError, parse_settings
-from small_clouds import write_clouds
+
+from neuralmesh_tools.batching.inputs import InputError, Item, find_items
+from neuralmesh_tools.batching.recipe import Recipe, RecipeError, parse_settings
+from neuralmesh_tools.generated_clouds import write_clouds
 
 pytestmark = pytest.mark.usefixtures("plugin")
 

@@ -18,7 +18,8 @@ from documents import mesh_from, sphere_points
 from selenium.webdriver import Chrome
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
-from small_clouds import bumpy_ellipsoid, write_ply
+
+from neuralmesh_tools.generated_clouds import bumpy_ellipsoid, write_ply
 
 COMPARE = Path(__file__).resolve().parent.parent / "scripts" / "compare.py"
 DRAWN = "return [...arguments[0].querySelectorAll('[data-figure]')].every(p => p.dataset.drawn)"

@@ -7,13 +7,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from comparison.clouds import Cloud, Reference, load_cloud, load_surface
-from comparison.measures import error_of, measure
-from comparison.methods import Mesh
-from comparison.run import Comparison, Result, default_vertices
-from comparison.verdict import judge
-from quality.shapes import unit_sphere
-from small_clouds import write_ply
+
+from neuralmesh_tools.comparison.clouds import Cloud, Reference, load_cloud, load_surface
+from neuralmesh_tools.comparison.measures import error_of, measure
+from neuralmesh_tools.comparison.run import Comparison, Result, default_vertices
+from neuralmesh_tools.comparison.verdict import judge
+from neuralmesh_tools.generated_clouds import write_ply
+from neuralmesh_tools.methods import Reconstruction
+from neuralmesh_tools.quality.shapes import unit_sphere
 
 SPHERE = unit_sphere(40)
 
@@ -104,7 +105,7 @@ def result(method: str, rms: float, seconds: float, **changes: float) -> Result:
         "far_from_points": 0.0,
     }
     values = {**sound, "rms": rms, "seconds": seconds, **changes}
-    nothing = Mesh(0, np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int32), seconds)
+    nothing = Reconstruction(np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int32), seconds)
     return Result(method, values=values, mesh=nothing)
 
 

@@ -11,7 +11,8 @@ import time
 from pathlib import Path
 
 import psutil
-from isolation import IsolatedProcess
+
+from neuralmesh_tools.isolation import IsolatedProcess
 
 MEGABYTE = 2**20
 
@@ -116,7 +117,7 @@ def test_output_of_python_and_c_goes_to_the_log(tmp_path: Path):
 def test_the_process_dies_with_its_parent():
     script = (
         "import os, sys; sys.path[:0] = sys.argv[1:]\n"
-        "from isolation import IsolatedProcess\n"
+        "from neuralmesh_tools.isolation import IsolatedProcess\n"
         "import test_isolation as calls\n"
         "process = IsolatedProcess()\n"
         "print(process.call(calls.pid_of).value, flush=True)\n"

@@ -11,8 +11,9 @@ import pymeshlab
 import pytest
 from broken_point_files import VALID, BrokenFile, corpus
 from documents import FILTER, Points, mesh_from, reconstruct, sphere_points
-from file_benchmark import run_in_process, write_sphere
 from numpy.typing import NDArray
+
+from neuralmesh_tools.benchmarks.point_file import run_in_process, write_sphere
 
 pytestmark = pytest.mark.usefixtures("plugin")
 

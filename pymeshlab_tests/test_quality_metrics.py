@@ -1,10 +1,10 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The quality table's metrics, on shapes whose answers are known."""
 
 from __future__ import annotations
 
 import dataclasses
 import itertools
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +12,9 @@ import numpy as np
 import pymeshlab
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "scripts"))
-
-from quality import bars, inputs, metrics, models, report, shapes
-from quality.run import Group, Method, Row, Settings, run_group
+from neuralmesh_tools import geometry, metrics
+from neuralmesh_tools.quality import bounds, inputs, models, report, shapes
+from neuralmesh_tools.quality.run import Group, Row, Settings, Variant, run_group
 
 CUBE_CORNERS = np.array(list(itertools.product([0.0, 1.0], repeat=3)))
 
@@ -34,7 +33,7 @@ def test_a_mesh_is_at_distance_zero_from_itself():
 def test_concentric_spheres_are_the_difference_of_their_radii_apart():
     points, faces = shapes.unit_sphere(60)
     found = metrics.distances(1.01 * points, faces, points, faces)
-    expected = 0.01 * 100 / inputs.diagonal(points)
+    expected = 0.01 * 100 / geometry.diagonal(points)
     # The faces lie up to 1 - cos(half an edge's angle), 1e-4 of the radius, inside the sphere.
     for name in ("rms_to_mesh", "rms_to_surface", "max_to_mesh", "max_to_surface"):
         assert found[name] == pytest.approx(expected, rel=0.02), name
@@ -45,7 +44,7 @@ def test_a_bump_on_the_result_is_seen_from_its_side_only():
     bumped = points.copy()
     bumped[np.argmax(points[:, 2])] *= 1.5
     found = metrics.distances(bumped, faces, points, faces)
-    assert found["max_to_surface"] == pytest.approx(0.5 * 100 / inputs.diagonal(points), rel=1e-6)
+    assert found["max_to_surface"] == pytest.approx(0.5 * 100 / geometry.diagonal(points), rel=1e-6)
     assert found["max_to_mesh"] < 0.2 * found["max_to_surface"]
 
 
@@ -89,7 +88,7 @@ def test_distances_agree_with_meshlabs_hausdorff_filter():
     theirs = mesh_set.get_hausdorff_distance(
         sampledmesh=1, targetmesh=0, samplevert=False, sampleface=True, samplenum=100_000
     )
-    percent = 100 / inputs.diagonal(points)
+    percent = 100 / geometry.diagonal(points)
     assert found["rms_to_surface"] == pytest.approx(theirs["RMS"] * percent, rel=0.01)
     assert found["max_to_surface"] == pytest.approx(theirs["max"] * percent, rel=0.01)
 
@@ -98,7 +97,7 @@ def test_samples_are_uniform_by_area():
     # One triangle three times the size of the other.
     points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [10, 0, 0], [13, 0, 0], [10, 1, 0]])
     faces = np.array([[0, 1, 2], [3, 4, 5]])
-    drawn, normals = inputs.sample_surface(points, faces, 40_000, np.random.default_rng(0))
+    drawn, normals = geometry.sample_surface(points, faces, 40_000, np.random.default_rng(0))
     # Four standard deviations of the share are 0.009.
     assert np.mean(drawn[:, 0] > 5) == pytest.approx(0.75, abs=0.009)
     small = drawn[drawn[:, 0] < 5]
@@ -181,7 +180,7 @@ def test_noise_and_outliers_are_what_the_condition_says_and_repeat():
     clean = inputs.make_case("bracket", "clean", 1)
     noisy = inputs.make_case("bracket", "noise0.5", 1)
     stray = inputs.make_case("bracket", "outliers", 1)
-    size = inputs.diagonal(clean.reference_points)
+    size = geometry.diagonal(clean.reference_points)
     count = models.MODELS["bracket"].samples
     assert len(clean.points) == len(noisy.points) == count
     assert len(stray.points) == round(1.05 * count)
@@ -208,8 +207,8 @@ def test_a_peers_row_has_the_asked_count_and_comes_from_the_cache_the_second_tim
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    settings = Settings(plugin="", timeout=120)
-    arguments = (Group("step", "clean", 1, 400), [Method("poisson-true")], settings)
+    settings = Settings(plugin=Path(), timeout=120)
+    arguments = (Group("step", "clean", 1, 400), [Variant("poisson-true")], settings)
     (first,) = run_group(*arguments)
     (second,) = run_group(*arguments)
     assert not first.failed, first.values
@@ -221,19 +220,19 @@ def test_a_peers_row_has_the_asked_count_and_comes_from_the_cache_the_second_tim
 
 @pytest.mark.usefixtures("few_samples")
 def test_a_method_that_fails_is_a_row_and_not_the_end():
-    settings = Settings(plugin="no-such-plugin.so", timeout=120)
+    settings = Settings(plugin=Path("no-such-plugin.so"), timeout=120)
     group = Group("step", "clean", 1, 400)
-    rows = list(run_group(group, [Method("ours")], settings))
+    rows = list(run_group(group, [Variant("ours")], settings))
     assert rows[0].failed
     assert "failed: " in report.group_markdown(group, rows)
 
 
 @pytest.mark.usefixtures("few_samples")
 def test_a_method_that_takes_too_long_is_a_row():
-    settings = Settings(plugin="", timeout=0.01, fresh=True)
+    settings = Settings(plugin=Path(), timeout=0.01, fresh=True)
     group = Group("step", "clean", 1, 40)
-    rows = list(run_group(group, [Method("ball-pivoting")], settings))
-    assert rows[0].values["failure"] == "not done after 0.01 s"
+    rows = list(run_group(group, [Variant("ball-pivoting")], settings))
+    assert rows[0].values["failure"] == "It was not done after 0.01 s."
 
 
 def row(model: str, method: str, seed: int = 1, **values: Any) -> Row:
@@ -251,19 +250,19 @@ def test_the_overview_takes_the_geometric_mean_of_the_seeds():
     assert report.overview_markdown(rows).splitlines()[-1] == "| dino | 0.040 / 0.100 | – |"
 
 
-def test_bars_take_the_geometric_mean_and_the_worst_and_count_failures():
+def test_bounds_take_the_geometric_mean_and_the_worst_and_count_failures():
     rows = [
         row("bunny", "ours", rms_to_mesh=0.2),
         row("bunny", "poisson-true", rms_to_mesh=0.1),
         row("dino", "ours", rms_to_mesh=0.05),
         row("dino", "poisson-true", rms_to_mesh=0.1),
     ]
-    table = bars.Rows(rows)
-    mean, worst = bars.clean_models(table)
+    table = bounds.Rows(rows)
+    mean, worst = bounds.clean_models(table)
     assert mean.measured.startswith("1.00 (2 models: dino 0.50 … bunny 2.00")
-    assert mean.met
+    assert mean.kept
     assert worst.measured.startswith("2.00")
-    assert worst.met is False
+    assert worst.kept is False
     rows[2] = row("dino", "ours", failure="crashed with SIGSEGV")
-    assert bars.clean_models(bars.Rows(rows))[0].met is False
-    assert bars.clean_models(bars.Rows(rows[1:2]))[0].measured == "not measured"
+    assert bounds.clean_models(bounds.Rows(rows))[0].kept is False
+    assert bounds.clean_models(bounds.Rows(rows[1:2]))[0].measured == "not measured"

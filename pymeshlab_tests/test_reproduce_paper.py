@@ -9,8 +9,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from paper.reported import TABLE_1, Row
-from paper.runs import DEFAULTS, PAPERS, valence_counts
+
+from neuralmesh_tools.paper.reported import TABLE_1, Row
+from neuralmesh_tools.paper.runs import DEFAULTS, PAPERS, valence_counts
 
 ROOT = Path(__file__).resolve().parent.parent
 

@@ -18,7 +18,7 @@ filter or parameter, another batch in the folder), 130 stopped by Ctrl-C or SIGT
 
 import sys
 
-from batching.command_line import main
+from neuralmesh_tools.batching.command_line import main
 
 if __name__ == "__main__":
     sys.exit(main(__doc__))

@@ -16,7 +16,7 @@ Exit codes: 0 there is an answer for each cloud, 1 there is none for one of them
 
 import sys
 
-from comparison.command_line import main
+from neuralmesh_tools.comparison.command_line import main
 
 if __name__ == "__main__":
     sys.exit(main(__doc__))

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is done to every scan of a batch, and the fingerprint by which a rerun knows it again."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+Value = bool | int | float | str
+
+
+class RecipeError(ValueError):
+    """The recipe cannot be followed; the message is a sentence for the user."""
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """A filter with parameters, or a whole MeshLab filter script; then the output's format.
+
+    plugins: paths of plugins to load. script: the text of a .mlx file; if there is one, filter and
+    parameters are not used. suffix: the output's, with its dot. threads: what one item may use;
+    it does not change a result. versions: PyMeshLab's, and each plugin's SHA-256.
+    """
+
+    plugins: tuple[Path, ...]
+    filter: str
+    parameters: dict[str, Value]
+    script: str
+    suffix: str
+    threads: int = 1
+    versions: dict[str, str] = field(default_factory=dict)
+
+    def fingerprint(self, input_sha256: str) -> str:
+        """A hash of everything that the output of an input depends on."""
+        parts = {
+            "input": input_sha256,
+            "filter": "" if self.script else self.filter,
+            "parameters": {} if self.script else self.parameters,
+            "script": self.script,
+            "suffix": self.suffix,
+            "versions": self.versions,
+        }
+        return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
+
+
+def parse_settings(pairs: list[str], defaults: dict[str, Any]) -> dict[str, Value]:
+    """Turn NAME=VALUE texts into parameters of the type that each one's default has.
+
+    Raises RecipeError, with the names there are, on an unknown parameter; on text of another type.
+    """
+    parameters: dict[str, Value] = {}
+    for pair in pairs:
+        name, equals, text = pair.partition("=")
+        name = name.strip().lower()
+        if not equals:
+            raise RecipeError(f"--set wants NAME=VALUE, not {pair}.")
+        if name not in defaults:
+            known = ", ".join(sorted(defaults))
+            raise RecipeError(f"The filter has no parameter {name}. It has: {known}.")
+        parameters[name] = parse_value(name, text.strip(), defaults[name])
+    return parameters
+
+
+def parse_value(name: str, text: str, default: Any) -> Value:
+    """Read a value of the same type as the default; a float may be a percentage such as 5%."""
+    try:
+        if isinstance(default, bool):
+            return {"true": True, "1": True, "false": False, "0": False}[text.lower()]
+        if isinstance(default, int):
+            return int(text)
+        if isinstance(default, float):
+            return _percentage(text) if text.endswith("%") else float(text)
+        if isinstance(default, str):
+            return text
+    except (KeyError, ValueError):
+        kinds = {bool: "true or false", int: "a whole number", float: "a number"}
+        kind = kinds[type(default)]
+        raise RecipeError(f"{name} is {kind} ({default} by default), not {text!r}.") from None
+    raise RecipeError(f"{name} cannot be set from the command line: use a filter script (--mlx).")
+
+
+def _percentage(text: str) -> str:
+    float(text[:-1])
+    return text

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One scan through a recipe, from file to file, in an isolated process: it may crash or hang."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pymeshlab
+
+from neuralmesh_tools.batching.recipe import Recipe, Value
+from neuralmesh_tools.layers import details, figures_of, load_plugin, read_document
+
+
+def reconstruct(recipe: Recipe, source: str, target: str) -> dict[str, Any]:
+    """Load source, follow the recipe, save the layer that is then current as target.
+
+    Returns the number of vertices and faces, and what the filter returned. Raises ValueError with
+    a sentence for the user.
+    """
+    load_plugins(recipe.plugins)
+    document = load(Path(source))
+    returned = follow(document, recipe)
+    mesh = document.current_mesh()
+    results = {"vertices": mesh.vertex_number(), "faces": mesh.face_number()}
+    if results["vertices"] == 0:
+        raise ValueError("The result is an empty mesh.")
+    document.save_current_mesh(target)
+    return {**results, **figures_of(returned)}
+
+
+def load_plugins(paths: tuple[Path, ...]) -> None:
+    """Load plugins, once a process."""
+    for path in paths:
+        load_plugin(path)
+
+
+def load(source: Path) -> pymeshlab.MeshSet:
+    """Read a scan into a document; raises ValueError if it cannot be read or is empty."""
+    if not source.exists():
+        raise ValueError("There is no such file.")
+    if not source.is_file():
+        raise ValueError("It is not a file.")
+    document = read_document(source)
+    if document.current_mesh().vertex_number() == 0:
+        raise ValueError("It holds no points.")
+    return document
+
+
+def follow(document: pymeshlab.MeshSet, recipe: Recipe) -> dict[str, Any] | None:
+    """Apply the recipe to the current layer and return what the filter returned, if anything."""
+    try:
+        if recipe.script:
+            script = Path("recipe.mlx")
+            script.write_text(recipe.script, encoding="utf-8")
+            document.load_filter_script(str(script))
+            script.unlink()
+            return document.apply_filter_script()
+        parameters = {name: _pymeshlab(value) for name, value in recipe.parameters.items()}
+        if "threads" in document.filter_parameter_values(recipe.filter):
+            parameters.setdefault("threads", recipe.threads)
+        return document.apply_filter(recipe.filter, **parameters)
+    except pymeshlab.PyMeshLabException as problem:
+        raise ValueError(details(problem)) from None
+
+
+def _pymeshlab(value: Value) -> Any:
+    if isinstance(value, str) and value.endswith("%"):
+        return pymeshlab.PercentageValue(float(value[:-1]))
+    return value

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Dask task: one item in an isolated process, its output moved into place, its record kept."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import socket
+import threading
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from neuralmesh_tools.batching.folder import OutFolder, Record
+from neuralmesh_tools.batching.inputs import Item
+from neuralmesh_tools.batching.recipe import Recipe
+from neuralmesh_tools.isolation import IsolatedProcess, Outcome
+
+
+@dataclass(frozen=True)
+class Job:
+    """An item, what is done to it, and within what limits (seconds; bytes, 0 for none)."""
+
+    item: Item
+    recipe: Recipe
+    input_sha256: str
+    out: Path
+    run: str
+    timeout: float
+    memory_limit: int
+    recycle_after: int
+
+    @property
+    def fingerprint(self) -> str:
+        """What a rerun compares to know whether the output is still that of this job."""
+        return self.recipe.fingerprint(self.input_sha256)
+
+
+# Named, not imported: PyMeshLab is not for a worker's own process.
+RECONSTRUCT_SCAN = "neuralmesh_tools.batching.reconstruct:reconstruct"
+
+_local = threading.local()
+
+
+def _process(job: Job) -> IsolatedProcess:
+    """The isolated process of this thread of this worker, kept from job to job."""
+    if getattr(_local, "run", None) != job.run:
+        if hasattr(_local, "process"):
+            _local.process.close()
+        threads = str(job.recipe.threads)
+        _local.process = IsolatedProcess(
+            {"OMP_NUM_THREADS": threads}, recycle_after=job.recycle_after
+        )
+        _local.run = job.run
+    kept: IsolatedProcess = _local.process
+    return kept
+
+
+def kept_record(job: Job) -> Record | None:
+    """Return the record that this run has kept of a job, None if it has not been done yet."""
+    record = OutFolder(job.out).record(job.item.name)
+    return record if record and record["run"] == job.run else None
+
+
+def do_job(job: Job) -> Record:
+    """Do a job, keep its record in the output folder, and return it. Failures are records too.
+
+    A job that Dask hands out again, because its worker was lost after the record was kept, is not
+    done a second time.
+    """
+    if earlier := kept_record(job):
+        return earlier
+    folder = OutFolder(job.out)
+    name = job.item.name
+    partial = folder.partial(job.run, name)
+    shutil.rmtree(partial, ignore_errors=True)
+    partial.mkdir(parents=True)
+    outcome = _reconstruct(job, partial, folder.log(name))
+    record = record_of(job, outcome)
+    if not folder.is_current(job.run):
+        return record
+    if outcome.ok:
+        output = folder.move_into_place(partial, name, job.recipe.suffix)
+        record["output"] = output.relative_to(job.out).as_posix()
+        record["output_bytes"] = output.stat().st_size
+    folder.remove_other_output(name, record["output"])
+    folder.write_record(name, record)
+    shutil.rmtree(partial, ignore_errors=True)
+    return record
+
+
+def _reconstruct(job: Job, partial: Path, log: Path) -> Outcome:
+    """Run the item in the isolated process; its log starts anew and ends with the outcome."""
+    log.parent.mkdir(parents=True, exist_ok=True)
+    log.write_text(f"{job.item.source}\n", encoding="utf-8")
+    outcome = _process(job).call(
+        RECONSTRUCT_SCAN,
+        job.recipe,
+        str(job.item.source),
+        str(partial / f"{Path(job.item.name).name}{job.recipe.suffix}"),
+        timeout=job.timeout,
+        memory_limit=job.memory_limit,
+        log=log,
+        folder=partial,
+    )
+    with log.open("a", encoding="utf-8") as stream:
+        stream.write(f"{outcome.failure or 'Done.'} ({outcome.seconds:.2f} s)\n")
+    return outcome
+
+
+def record_of(job: Job, outcome: Outcome) -> Record:
+    """A record of an outcome that has no output (yet)."""
+    recipe = job.recipe
+    results = outcome.value or {}
+    return {
+        "name": job.item.name,
+        "input": str(job.item.source),
+        "input_sha256": job.input_sha256,
+        "fingerprint": job.fingerprint,
+        "filter": "" if recipe.script else recipe.filter,
+        "parameters": {} if recipe.script else recipe.parameters,
+        "script": recipe.script,
+        "seed": results.get("seed"),
+        "versions": recipe.versions,
+        "output": "",
+        "output_bytes": 0,
+        "outcome": outcome.kind,
+        "error": outcome.failure,
+        "seconds": round(outcome.seconds, 3),
+        "peak_megabytes": round(outcome.peak_bytes / 2**20, 1),
+        "results": results,
+        "finished": time.strftime("%Y-%m-%dT%H:%M:%S%z"),
+        "host": socket.gethostname(),
+        "worker": os.getpid(),
+        "run": job.run,
+    }

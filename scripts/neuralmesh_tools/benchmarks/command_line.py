@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command line of scripts/benchmark.py."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from neuralmesh_tools.benchmarks.batches import compare_workers
+from neuralmesh_tools.benchmarks.point_file import compare_file
+from neuralmesh_tools.benchmarks.speed import compare_speed
+from neuralmesh_tools.command_line import add_plugin, parser_of
+from neuralmesh_tools.project import PluginMissing, require_plugin
+from neuralmesh_tools.quality import table
+
+DEFAULT_VERTICES = 5000
+
+
+def parse_arguments(description: str | None) -> argparse.Namespace:
+    """Read the command line; exits with 2 on what cannot work."""
+    parser = parser_of(description)
+    what = parser.add_argument_group("what to measure")
+    what.add_argument("--quality", action="store_true", help="errors, topology and shape")
+    text = "time against Poisson and decimation, on the bunny"
+    what.add_argument("--speed", action="store_true", help=text)
+    text = "throughput of batches of so many small clouds (default 200)"
+    what.add_argument("--batch", type=int, nargs="?", const=200, metavar="CLOUDS", help=text)
+    text = (
+        "a point file on disk (1.2 GB, in the temporary folder, not kept) against 1,000,000 "
+        "points in memory"
+    )
+    what.add_argument("--file", action="store_true", help=text)
+    what.add_argument("--file-points", type=int, default=100_000_000, help="(default 100000000)")
+    text = "of each, for --speed, --batch and --file (default 5)"
+    what.add_argument("--runs", type=int, default=5, help=text)
+    text = "of each result (default 5000; --quality: the model's own)"
+    what.add_argument("--vertices", type=int, metavar="N", help=text)
+    add_plugin(what)
+    table.add_options(parser)
+    options = parser.parse_args()
+    if not (options.quality or options.speed or options.batch or options.file):
+        parser.error("nothing to measure: give --quality, --speed, --batch or --file")
+    if options.vertices is not None and options.vertices < 4:
+        parser.error("--vertices must be at least 4")
+    table.check_options(parser, options)
+    return options
+
+
+def main(description: str | None) -> int:
+    """Measure what the command line asks for, and return the exit code."""
+    options = parse_arguments(description)
+    vertices = options.vertices or DEFAULT_VERTICES
+    try:
+        if options.speed:
+            plugin = require_plugin(options.plugin)
+            print(compare_speed(plugin, vertices, options.runs).text(), flush=True)
+        if options.batch:
+            print(compare_workers(options.batch, options.runs).text(), flush=True)
+        if options.file:
+            plugin = require_plugin(options.plugin)
+            print(compare_file(plugin, options.file_points, vertices, options.runs), flush=True)
+    except PluginMissing as problem:
+        print(problem, file=sys.stderr)
+        return 1
+    return table.run_table(options) if options.quality else 0

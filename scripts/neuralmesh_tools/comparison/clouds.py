@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A cloud as the methods get it, and the reference that their results are measured against."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import KDTree
+
+from neuralmesh_tools.geometry import Faces, Points, diagonal, face_normals, sample_surface
+from neuralmesh_tools.layers import arrays_of, document_of, read_document
+from neuralmesh_tools.methods import NORMAL_NEIGHBOURS, estimate_normals
+from neuralmesh_tools.metrics import point_distances
+
+# Distances between neighbours are taken at so many points: their median needs no more.
+SPACING_SAMPLES = 10_000
+REFERENCE_SAMPLES = 50_000
+SEED = 20030512
+# A vertex within so many spacings of the points can be judged by their tangent planes.
+REACH = 3.0
+# Of the length of a normal: below, it is none.
+LEAST_NORMAL = 1e-6
+
+
+@dataclass(frozen=True)
+class Cloud:
+    """Points (n, 3), unit normals (n, 3) and where these are from, in a sentence.
+
+    spacing: the median distance of a point to its nearest neighbour. Lengths are in the input's
+    units.
+    """
+
+    name: str
+    points: Points
+    normals: Points
+    normals_from: str
+    spacing: float
+
+    @property
+    def diagonal(self) -> float:
+        """The length of the bounding box's diagonal."""
+        return diagonal(self.points)
+
+
+def load_cloud(path: str) -> Cloud:
+    """Read the vertices of a file; estimate normals if it brings none.
+
+    Raises ValueError with a sentence if it cannot be read or holds fewer points than a normal
+    needs.
+    """
+    points, normals, faces = _read(path)
+    if len(points) <= NORMAL_NEIGHBOURS:
+        raise ValueError(f"It holds {len(points)} points; {NORMAL_NEIGHBOURS + 1} are the least.")
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    if np.all(lengths > LEAST_NORMAL):
+        source = "computed from its faces" if len(faces) else "its own"
+        normals = normals / lengths
+    else:
+        document = document_of(points)
+        estimate_normals(document)
+        normals = document.current_mesh().vertex_normal_matrix().copy()
+        source = f"estimated from {NORMAL_NEIGHBOURS} neighbours, as it has none"
+    return Cloud(Path(path).stem, points, normals, source, _spacing(points))
+
+
+def _read(path: str) -> tuple[Points, Points, Faces]:
+    """Vertices, their normals (zero without any) and faces of a file, without repeated points."""
+    document = read_document(Path(path))
+    mesh = document.current_mesh()
+    points, normals = mesh.vertex_matrix(), mesh.vertex_normal_matrix()
+    _, first = np.unique(points, axis=0, return_index=True)
+    kept = np.sort(first)
+    return points[kept], normals[kept], mesh.face_matrix().copy()
+
+
+def _spacing(points: Points) -> float:
+    generator = np.random.default_rng(SEED)
+    chosen = points
+    if len(points) > SPACING_SAMPLES:
+        chosen = points[generator.choice(len(points), SPACING_SAMPLES, replace=False)]
+    distances, _ = KDTree(points).query(chosen, k=2)
+    return float(np.median(distances[:, 1]))
+
+
+class Reference:
+    """What a result is measured against: a surface, or the cloud itself.
+
+    probes (n, 3) with unit normals (n, 3) are points of it, at most REFERENCE_SAMPLES.
+    """
+
+    def __init__(self, cloud: Cloud, surface: tuple[Points, Faces] | None) -> None:
+        """Take a surface, vertices (n, 3) and faces (m, 3), or the cloud if that is None."""
+        generator = np.random.default_rng(SEED)
+        self.surface = surface
+        self.reach = REACH * cloud.spacing
+        if surface is not None:
+            self.probes, self.normals = sample_surface(*surface, REFERENCE_SAMPLES, generator)
+        else:
+            chosen = np.arange(len(cloud.points))
+            if len(chosen) > REFERENCE_SAMPLES:
+                chosen = generator.choice(chosen, REFERENCE_SAMPLES, replace=False)
+            self.probes, self.normals = cloud.points[chosen], cloud.normals[chosen]
+        self._cloud = cloud
+        self._tree = KDTree(cloud.points)
+
+    def distances(self, points: Points) -> NDArray[np.float64]:
+        """Distances (k,) of points (k, 3) to the reference.
+
+        To a surface they are exact. To a cloud they are those to the tangent plane at the nearest
+        of its points, so that the gaps between points are no error; but to the point itself where
+        it is more than three spacings away.
+        """
+        if self.surface is not None:
+            return point_distances(points, *self.surface)
+        away, nearest = self._tree.query(points)
+        offset = points - self._cloud.points[nearest]
+        planar = np.abs(np.sum(offset * self._cloud.normals[nearest], axis=1))
+        found: NDArray[np.float64] = np.where(away <= self.reach, planar, away)
+        return found
+
+    def far_from_points(self, points: Points) -> NDArray[np.bool_]:
+        """Which of the points (k, 3) are more than three spacings from every point of the cloud."""
+        away, _ = self._tree.query(points)
+        return np.asarray(away > self.reach)
+
+
+def load_surface(path: str) -> tuple[Points, Faces]:
+    """Read the triangles of a reference; raises ValueError if it has none."""
+    points, faces = arrays_of(read_document(Path(path)))
+    if len(faces) == 0:
+        raise ValueError("It has no faces, so it is no surface to measure against.")
+    if not np.any(np.linalg.norm(face_normals(points, faces), axis=1) > 0):
+        raise ValueError("None of its faces has an area.")
+    return points, faces

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One method on one cloud, cut down to several numbers of vertices.
+
+To be called in an isolated process, in a folder of its own: one of the filters leaves files behind.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from neuralmesh_tools.comparison.clouds import Cloud
+from neuralmesh_tools.layers import document_of, load_plugin
+from neuralmesh_tools.methods import METHODS, Reconstruction, Task, cut_down, reconstruct
+
+
+def reconstruct_at_counts(
+    name: str, cloud: Cloud, counts: list[int], plugin: Path, threads: int
+) -> list[Reconstruction]:
+    """Reconstruct a cloud and return a mesh for each count of vertices, the largest first.
+
+    Our filter runs once a count; the others once, and are then decimated, each from the mesh
+    before. Normals are those of the cloud; the time to estimate them is not counted. Raises
+    ValueError if a result has no faces, and what PyMeshLab raises.
+    """
+    method = METHODS[name]
+    counts = sorted(counts, reverse=True)
+    task = Task(counts[0], threads, cloud.spacing)
+    if method.exact:
+        load_plugin(plugin)
+        tasks = [replace(task, vertices=count) for count in counts]
+        return [reconstruct(method, document_of(cloud.points), each) for each in tasks]
+    document = document_of(cloud.points, normals=cloud.normals)
+    meshes = [cut_down(reconstruct(method, document, task), counts[0])]
+    for count in counts[1:]:
+        meshes.append(cut_down(meshes[-1], count))
+    return meshes

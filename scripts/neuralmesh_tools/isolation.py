@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Calls in a process of their own: a crash, a hang or a flood of memory costs the call, no more.
+
+The process is spawned, not forked, and kept for the calls that follow, because importing PyMeshLab
+takes longer than many a reconstruction. It is replaced after every call that did not return (an
+exception inside PyMeshLab leaves the C++ standard output redirected) and after a number of calls
+(PyMeshLab leaks). Works inside Dask workers, whose daemonic processes multiprocessing refuses
+children.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import pkgutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from multiprocessing.connection import Connection, Pipe
+from pathlib import Path
+from typing import Any
+
+import psutil
+
+# Memory is looked at this often, in seconds: what is allocated in between goes unnoticed.
+WATCH_INTERVAL = 0.02
+# Seconds that a busy machine may take to start Python and to import what the call needs.
+START_TIMEOUT = 120.0
+PR_SET_PDEATHSIG = 1
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a call. kind: returned, raised, crashed, timed out or out of memory.
+
+    failure is a sentence for the user, empty if the call returned. seconds are those of the wall
+    clock; peak_bytes is the largest resident size of the process during the call, PyMeshLab
+    itself included.
+    """
+
+    kind: str
+    value: Any
+    failure: str
+    seconds: float
+    peak_bytes: int
+
+    @property
+    def ok(self) -> bool:
+        """Whether the call returned."""
+        return self.kind == "returned"
+
+
+class IsolatedProcess:
+    """Runs one call after another in a spawned Python process. Not for several threads at once."""
+
+    def __init__(
+        self, environment: Mapping[str, str] | None = None, *, recycle_after: int = 20
+    ) -> None:
+        """Start nothing yet; environment is added to the process's own, from the next start on."""
+        self._environment = dict(environment or {})
+        self._recycle_after = recycle_after
+        self._process: subprocess.Popen[bytes] | None = None
+        self._pipe: Connection | None = None
+        self._calls = 0
+
+    def __enter__(self) -> IsolatedProcess:
+        """Return itself; the process ends with the block."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """End the process."""
+        self.close()
+
+    @property
+    def pid(self) -> int | None:
+        """The process's id, None while there is none."""
+        return self._process.pid if self._process else None
+
+    def call(
+        self,
+        function: Callable[..., Any] | str,
+        *arguments: Any,
+        timeout: float = float("inf"),
+        memory_limit: int = 0,
+        log: Path | None = None,
+        folder: Path | None = None,
+    ) -> Outcome:
+        """Call a module's function with arguments that can be pickled.
+
+        A function that is named, as "package.module:function", is imported in the process only.
+        timeout in seconds, once imports are done; memory_limit in bytes of resident size, 0 for
+        none, looked at every 20 ms. What the call prints, C++ included, goes to the end of log,
+        else nowhere. folder becomes the working directory.
+        """
+        for _ in range(2):
+            process, pipe = self._running()
+            try:
+                pipe.send((function, arguments, str(log or os.devnull), folder and str(folder)))
+                break
+            except OSError:  # it died while idle, somebody else's doing
+                self.close()
+        else:
+            return Outcome("crashed", None, "The process could not be started.", 0.0, 0)
+        self._calls += 1
+        outcome = self._await(process, pipe, timeout, memory_limit)
+        if not outcome.ok or self._calls >= self._recycle_after:
+            self.close()
+        return outcome
+
+    def close(self) -> None:
+        """Kill the process, whatever it does. A further call starts another one."""
+        if self._process is not None:
+            self._process.kill()
+            self._process.wait()
+        if self._pipe is not None:
+            self._pipe.close()
+        self._process = self._pipe = None
+
+    def _running(self) -> tuple[subprocess.Popen[bytes], Connection]:
+        if self._process is None or self._pipe is None:
+            self._pipe, theirs = Pipe()
+            self._process = subprocess.Popen(
+                # -P: the modules beside this one are no top-level modules.
+                [sys.executable, "-P", str(Path(__file__).resolve()), str(theirs.fileno())],
+                env={**os.environ, **self._environment},
+                pass_fds=[theirs.fileno()],
+                stdin=subprocess.DEVNULL,
+                start_new_session=True,  # Ctrl-C in the terminal is the parent's to handle
+            )
+            theirs.close()
+            self._calls = 0
+            self._pipe.send([str(Path(entry).resolve()) for entry in sys.path])
+        return self._process, self._pipe
+
+    def _await(
+        self,
+        process: subprocess.Popen[bytes],
+        pipe: Connection,
+        timeout: float,
+        memory_limit: int,
+    ) -> Outcome:
+        start, allowed, peak = time.perf_counter(), START_TIMEOUT, 0
+        watched = psutil.Process(process.pid)
+        while True:
+            seconds = time.perf_counter() - start
+            try:
+                if pipe.poll(max(0.0, min(WATCH_INTERVAL, allowed - seconds))):
+                    message = pipe.recv()
+                    if message is not None:
+                        return Outcome(*message)
+                    # It has its imports and begins: the clock of the call starts here.
+                    start, allowed = time.perf_counter(), timeout
+                    continue
+                peak = max(peak, watched.memory_info().rss)
+            except (EOFError, ConnectionError, psutil.NoSuchProcess):
+                return Outcome("crashed", None, _how_it_ended(process), seconds, peak)
+            if memory_limit and peak > memory_limit:
+                failure = f"It needed more than the {memory_limit / 2**20:.0f} MB allowed."
+                return Outcome("out of memory", None, failure, seconds, peak)
+            if seconds >= allowed:
+                failure = f"It was not done after {allowed:g} s."
+                return Outcome("timed out", None, failure, seconds, peak)
+
+
+def _how_it_ended(process: subprocess.Popen[bytes]) -> str:
+    code = process.wait()
+    if code >= 0:
+        return f"The process ended by itself with exit code {code}."
+    return f"The process crashed with {signal.Signals(-code).name}."
+
+
+# --------------------------------------------------------------------------- inside the process
+
+
+def _serve(pipe: Connection) -> None:
+    """Run what comes through the pipe until its other end is gone."""
+    sys.path[:] = pipe.recv()
+    while True:
+        try:
+            function, arguments, log, folder = pipe.recv()
+        except EOFError:
+            return
+        if isinstance(function, str):
+            function = pkgutil.resolve_name(function)
+        if folder:
+            os.chdir(folder)
+        _print_into(log)
+        _forget_peak()
+        pipe.send(None)
+        start = time.perf_counter()
+        try:
+            kind, value, failure = "returned", function(*arguments), ""
+        except MemoryError:
+            kind, value, failure = "out of memory", None, "There was not enough memory."
+        except Exception as problem:
+            words = " ".join(str(problem).split())
+            kind, value, failure = "raised", None, words or type(problem).__name__
+        seconds = time.perf_counter() - start
+        sys.stdout.flush()
+        sys.stderr.flush()
+        pipe.send((kind, value, failure, seconds, _peak()))
+
+
+def _print_into(path: str) -> None:
+    """Send both standard streams, those of C++ too, to the end of a file."""
+    file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
+    for stream in (1, 2):
+        os.dup2(file, stream)
+    os.close(file)
+
+
+def _forget_peak() -> None:
+    """Start the kernel's high-water mark of resident memory anew, where there is one."""
+    try:
+        Path("/proc/self/clear_refs").write_text("5")
+    except OSError:
+        return
+
+
+def _peak() -> int:
+    """The largest resident size in bytes since _forget_peak; the present one if unknown."""
+    try:
+        status = Path("/proc/self/status").read_text()
+        line = next(line for line in status.splitlines() if line.startswith("VmHWM"))
+        return int(line.split()[1]) * 1024
+    except (OSError, StopIteration):
+        return int(psutil.Process().memory_info().rss)
+
+
+def _die_with_parent() -> None:
+    """Have the kernel kill this process when the thread that started it ends (Linux only).
+
+    A filter that runs cannot notice that the other end of the pipe is gone.
+    """
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+
+
+if __name__ == "__main__":
+    _die_with_parent()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    _serve(Connection(int(sys.argv[1])))

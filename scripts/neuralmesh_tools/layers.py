@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""PyMeshLab's documents and layers, to and from arrays, and its words as sentences."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pymeshlab
+
+from neuralmesh_tools.geometry import Faces, Points
+
+
+@cache
+def load_plugin(path: Path) -> None:
+    """Load a plugin into PyMeshLab, once a process. Raises what PyMeshLab raises."""
+    pymeshlab.load_plugin(str(path))
+
+
+def document_of(
+    points: Points, faces: Faces | None = None, normals: Points | None = None, label: str = ""
+) -> pymeshlab.MeshSet:
+    """Return a document with one layer: vertices (n, 3), faces (m, 3), vertex normals (n, 3)."""
+    given: dict[str, Any] = {"vertex_matrix": points}
+    if faces is not None:
+        given["face_matrix"] = faces
+    if normals is not None:
+        given["v_normals_matrix"] = normals
+    document = pymeshlab.MeshSet(verbose=False)
+    document.add_mesh(pymeshlab.Mesh(**given), label)
+    return document
+
+
+def read_document(path: Path) -> pymeshlab.MeshSet:
+    """Read a file into a document of its own; raises ValueError with a sentence if it cannot be."""
+    document = pymeshlab.MeshSet(verbose=False)
+    try:
+        document.load_new_mesh(str(path))
+    except pymeshlab.PyMeshLabException as problem:
+        raise ValueError(f"It cannot be read: {details(problem)}") from None
+    return document
+
+
+def arrays_of(document: pymeshlab.MeshSet, layer: int | None = None) -> tuple[Points, Faces]:
+    """Return copies of a layer's vertices (n, 3) and faces (m, 3), which outlive the document.
+
+    layer: its id; left out, the current one. A layer itself is gone as soon as its document is.
+    """
+    mesh = document.current_mesh() if layer is None else document.mesh(layer)
+    return mesh.vertex_matrix().copy(), mesh.face_matrix().astype(np.int32, order="C")
+
+
+def details(problem: Exception) -> str:
+    """The part of PyMeshLab's words that says what is wrong, as a sentence."""
+    words = " ".join(str(problem).split("etails:")[-1].split()) or type(problem).__name__
+    return words if words.endswith(".") else words + "."
+
+
+def figures_of(returned: dict[str, Any] | None) -> dict[str, Any]:
+    """What a filter returned, with lists for arrays: it can be written as JSON."""
+    arrays = np.ndarray | np.generic
+    return {
+        name: value.tolist() if isinstance(value, arrays) else value
+        for name, value in (returned or {}).items()
+    }

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks the files of a release as a user would: unpacks, installs, loads and runs them."""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+import tarfile
+import tempfile
+from pathlib import Path
+
+from neuralmesh_tools.project import PLUGIN_NAME, SCRIPTS
+from neuralmesh_tools.release import elf
+
+SKIPPED = 77  # of scripts/test_desktop
+
+# Ends with 0 only if the filter makes what it was asked for.
+USE_ARCHIVE = """
+import sys, pathlib, pymeshlab
+pymeshlab.load_plugin(sys.argv[1])
+ms = pymeshlab.MeshSet()
+ms.load_new_mesh(str(pathlib.Path(pymeshlab.__file__).parent / "tests/sample_meshes/bunny.obj"))
+result = ms.apply_filter("generate_surface_reconstruction_neural_mesh", targetvertnum=500)
+sys.exit(result["vertices"] != 500)
+"""
+USE_WHEEL = """
+import sys, inspect, pathlib, pymeshlab, pymeshlab_neuralmesh as nm
+ms = nm.MeshSet()
+ms.load_new_mesh(str(pathlib.Path(pymeshlab.__file__).parent / "tests/sample_meshes/bunny.obj"))
+result = ms.generate_surface_reconstruction_neural_mesh(targetvertnum=500)
+method = nm.MeshSet.generate_surface_reconstruction_neural_mesh
+assert "targetvertnum" in inspect.signature(method).parameters
+assert "Exact number of vertices" in " ".join(method.__doc__.split())
+stub = pathlib.Path(nm.__file__).with_suffix(".pyi").read_text()
+assert all(f"def {name}(" in stub for name in nm.FILTERS)
+sys.exit(result["vertices"] != 500)
+"""
+
+
+def main() -> int:
+    """Check everything in a folder; raise with the reason if something is not as it should be."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path, help="what scripts/release made")
+    parser.add_argument("--no-desktop", action="store_true", help="do not start MeshLab")
+    options = parser.parse_args()
+    folder: Path = options.folder
+    with tempfile.TemporaryDirectory() as temporary:
+        work = Path(temporary)
+        desktop = unpacked(next(folder.glob("*-meshlab-*.tar.gz")), work)
+        check_needs(desktop)
+        if not options.no_desktop:
+            check_desktop(desktop)
+        scripted = unpacked(next(folder.glob("*-pymeshlab-*.tar.gz")), work)
+        check_needs(scripted)
+        run([sys.executable, "-c", USE_ARCHIVE, str(scripted)])
+        check_wheel(next(folder.glob("*.whl")), work / "venv")
+    for made in sorted(folder.iterdir()):
+        print(f"{made.stat().st_size / 1024:7.0f} KB  {made}")
+    return 0
+
+
+def unpacked(archive: Path, work: Path) -> Path:
+    """Unpack an archive; return the plugin in it."""
+    with tarfile.open(archive) as tar:
+        tar.extractall(work, filter="data")
+    return work / archive.name.removesuffix(".tar.gz") / PLUGIN_NAME
+
+
+def check_needs(plugin: Path) -> None:
+    """Raise if a plugin needs more than its host and the C++ run time, or looks in odd places."""
+    superfluous = elf.needed(plugin) - elf.RUNTIME - {elf.HOST}
+    if superfluous:
+        raise RuntimeError(f"{plugin.name} needs {', '.join(sorted(superfluous))}")
+    if elf.has_search_path(plugin):
+        raise RuntimeError(f"{plugin.name} has a RUNPATH")
+
+
+def check_desktop(plugin: Path) -> None:
+    """Reconstruct with the plugin in the real MeshLab, where that can be had."""
+    command = [str(SCRIPTS / "test_desktop"), "--plugin", str(plugin), "-q", "-k", "apply"]
+    code = subprocess.run(command, check=False).returncode
+    if code not in (0, SKIPPED):
+        raise RuntimeError(f"scripts/test_desktop ended with {code}")
+
+
+def check_wheel(wheel: Path, venv: Path) -> None:
+    """Install the wheel, and the PyMeshLab that it pins, into a new environment and use it."""
+    run([sys.executable, "-m", "venv", str(venv)])
+    python = str(venv / "bin" / "python")
+    pip = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    run([*pip, str(wheel)])
+    run([python, "-c", USE_WHEEL])
+
+
+def run(command: list[str]) -> None:
+    """Run a command; raise CalledProcessError if it fails."""
+    subprocess.run(command, check=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
