@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "core/fit/surface_fit.h"
+#include "core/mesh/enumeration.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_topology.h"
+#include "core/mesh/vertex_data.h"
 #include "core/network/growing_network.h"
 #include "core/network/star_projection.h"
 #include "core/result/error_measure.h"
@@ -151,17 +153,18 @@ private:
 
     std::vector<VertexId> idleVertices()
     {
-        std::vector<bool> hasWon(network_.mesh().idBound(), false);
+        VertexData<char> hasWon(network_.mesh(), 0);
         // Where the points are few, a vertex may have only one of them.
         const auto vertices = static_cast<std::size_t>(network_.vertexCount());
         const std::size_t points = sampler_.pointCount();
         drawBatch(censusPerVertex * (points < 4 * vertices ? points : vertices));
         for (const Point3 &sample : batch_)
-            hasWon[network_.findWinner(sample)] = true;
+            hasWon[network_.findWinner(sample)] = 1;
         std::vector<VertexId> idle;
-        for (VertexId v = 0; v < hasWon.size(); ++v)
-            if (network_.mesh().isLive(v) && !hasWon[v])
+        forEachVertex(network_.mesh(), [&](VertexId v) {
+            if (hasWon[v] == 0)
                 idle.push_back(v);
+        });
         return idle;
     }
 

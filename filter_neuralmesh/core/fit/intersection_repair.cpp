@@ -12,8 +12,8 @@ constexpr int timesAlone = 4;
 
 class IntersectionRepair {
 public:
-    IntersectionRepair(GrowingNetwork &network, const std::vector<Point3> &before)
-        : network_(network), mesh_(network.mesh()), before_(before)
+    IntersectionRepair(GrowingNetwork &network, const VertexData<Point3> &before)
+        : network_(network), mesh_(network.mesh()), before_(before), moved_(mesh_)
     {
     }
 
@@ -28,7 +28,7 @@ private:
     /// Returns how many vertices of intersecting faces are left.
     template <class Move> int repeat(int rounds, Move move)
     {
-        moved_.assign(mesh_.idBound(), 0);
+        moved_.reset();
         for (int round = 0;; ++round) {
             const std::vector<VertexId> corners = network_.findIntersectingVertices();
             if (corners.empty() || round == rounds)
@@ -58,13 +58,13 @@ private:
 
     GrowingNetwork &network_;
     const NeuralMesh &mesh_;
-    const std::vector<Point3> &before_;
-    std::vector<int> moved_; ///< by id, how often
+    const VertexData<Point3> &before_;
+    VertexData<int> moved_; ///< how often
 };
 
 } // namespace
 
-int repairIntersections(GrowingNetwork &network, const std::vector<Point3> &before)
+int repairIntersections(GrowingNetwork &network, const VertexData<Point3> &before)
 {
     return IntersectionRepair(network, before).run();
 }

@@ -2,8 +2,7 @@
 // Moves vertices until no face intersects another, as far as that goes.
 #pragma once
 
-#include <vector>
-
+#include "core/mesh/vertex_data.h"
 #include "core/network/growing_network.h"
 
 namespace neuralmesh {
@@ -13,7 +12,7 @@ namespace neuralmesh {
 /// one pull at faces of the other. What intersected there too is smoothed: its vertices go half-way
 /// to the middle of their neighbours, and later those around them. Connectivity stays.
 ///
-/// before: positions by id. Returns how many vertices still belong to intersecting faces.
-int repairIntersections(GrowingNetwork &network, const std::vector<Point3> &before);
+/// Returns how many vertices still belong to intersecting faces.
+int repairIntersections(GrowingNetwork &network, const VertexData<Point3> &before);
 
 } // namespace neuralmesh

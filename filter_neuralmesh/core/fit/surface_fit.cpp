@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "core/fit/intersection_repair.h"
+#include "core/mesh/edge_lengths.h"
+#include "core/mesh/enumeration.h"
 #include "core/mesh/triangle.h"
+#include "core/mesh/vertex_data.h"
 #include "core/network/star_projection.h"
 #include "core/space/morton_order.h"
 #include "core/space/point_statistics.h"
@@ -81,10 +84,10 @@ class SurfaceFit {
 public:
     SurfaceFit(GrowingNetwork &network, const Sampler &sampler, Random &random)
         : network_(network), mesh_(network.mesh()), sampler_(sampler), random_(random),
-          order_(sampler.bounds()), typicalResidual_(mesh_.idBound(), 0)
+          order_(sampler.bounds()), accumulators_(mesh_), around_(mesh_), start_(mesh_),
+          typicalResidual_(mesh_, 0)
     {
-        for (const NeuralVertex &vertex : mesh_.vert)
-            start_.push_back(vertex.cP());
+        forEachVertex(mesh_, [&](VertexId v) { start_[v] = mesh_.position(v); });
     }
 
     void sweep(Scalar step, int number)
@@ -101,22 +104,20 @@ public:
             exchangeIrregular();
     }
 
-    /// By id, where the vertices were before the fit, or when they were made.
-    const std::vector<Point3> &start() const { return start_; }
+    /// Where the vertices were before the fit, or when they were made.
+    const VertexData<Point3> &start() const { return start_; }
 
 private:
     /// While sweeps are left to lay the new vertices on the surface.
     void exchangeIrregular()
     {
-        for (const VertexId v : network_.exchangeIrregular()) {
+        for (const VertexId v : network_.exchangeIrregular())
             start_[v] = mesh_.position(v);
-            typicalResidual_[v] = 0;
-        }
     }
 
     void gather()
     {
-        accumulators_.assign(mesh_.idBound(), {});
+        accumulators_.reset();
         sampler_.draw(random_, static_cast<std::size_t>(samplesPerVertex * network_.vertexCount()),
                       samples_);
         order_.sort(samples_);
@@ -146,18 +147,13 @@ private:
 
     void move(Scalar step)
     {
-        std::vector<Point3> before(mesh_.idBound());
-        for (VertexId v = 0; v < mesh_.idBound(); ++v) {
-            if (!mesh_.isLive(v))
-                continue;
+        VertexData<Point3> before(mesh_);
+        VertexData<Point3> moved(mesh_);
+        forEachVertex(mesh_, [&](VertexId v) {
             before[v] = mesh_.position(v);
-            moved_.push_back(mesh_.position(v) + displacement(v) * step);
-        }
-        std::size_t next = 0;
-        for (VertexId v = 0; v < mesh_.idBound(); ++v)
-            if (mesh_.isLive(v))
-                network_.moveVertex(v, moved_[next++]);
-        moved_.clear();
+            moved[v] = mesh_.position(v) + displacement(v) * step;
+        });
+        forEachVertex(mesh_, [&](VertexId v) { network_.moveVertex(v, moved[v]); });
         takeBackTurns(before);
     }
 
@@ -169,48 +165,41 @@ private:
 
     void lookAround()
     {
-        const VertexId bound = mesh_.idBound();
-        around_.resize(bound);
-        std::vector<double> heights(bound, 0);
-        for (VertexId v = 0; v < bound; ++v)
-            if (mesh_.isLive(v)) {
-                around_[v] = surroundings(v);
-                heights[v] = around_[v].toCentre.dot(around_[v].normal);
-            }
-        std::vector<double> squares(bound, 0);
-        for (VertexId v = 0; v < bound; ++v)
-            if (mesh_.isLive(v)) {
-                around_[v].bending = heights[v] - ringMean(heights, v);
-                squares[v] = squared(around_[v].bending);
-            }
-        std::vector<double> smoothed(bound, 0);
-        for (VertexId v = 0; v < bound; ++v)
-            if (mesh_.isLive(v))
-                smoothed[v] = 0.5 * (squares[v] + ringMean(squares, v));
-        for (VertexId v = 0; v < bound; ++v)
-            if (mesh_.isLive(v))
-                around_[v].bendingVariance = ringMean(smoothed, v);
+        VertexData<double> heights(mesh_);
+        forEachVertex(mesh_, [&](VertexId v) {
+            around_[v] = surroundings(v);
+            heights[v] = around_[v].toCentre.dot(around_[v].normal);
+        });
+        VertexData<double> squares(mesh_);
+        forEachVertex(mesh_, [&](VertexId v) {
+            around_[v].bending = heights[v] - ringMean(heights, v);
+            squares[v] = squared(around_[v].bending);
+        });
+        VertexData<double> smoothed(mesh_);
+        forEachVertex(mesh_,
+                      [&](VertexId v) { smoothed[v] = 0.5 * (squares[v] + ringMean(squares, v)); });
+        forEachVertex(mesh_,
+                      [&](VertexId v) { around_[v].bendingVariance = ringMean(smoothed, v); });
     }
 
     /// All but the bending, which takes those of the neighbours.
     Surroundings surroundings(VertexId v) const
     {
-        const NeighbourRing &ring = mesh_.ring(v);
         const Point3 &centre = mesh_.position(v);
         Surroundings s{};
         s.normal = toEigen(network_.normal(v));
+        s.meanEdge = meanEdge(mesh_, v);
         s.toCentre.setZero();
-        for (int i = 0; i < ring.size(); ++i) {
-            const Point3 &neighbour = mesh_.position(ring[i]);
-            s.toCentre += toEigen(neighbour - centre) / ring.size();
-            s.meanEdge += (neighbour - centre).Norm() / ring.size();
-            s.sliver = std::max(s.sliver, cosineOfSmallestAngle(
-                                              {centre, neighbour, mesh_.position(ring.at(i + 1))}));
-        }
+        for (const VertexId u : mesh_.ring(v))
+            s.toCentre += toEigen(mesh_.position(u) - centre) / mesh_.valence(v);
+        forEachFaceAround(mesh_, v, [&](VertexId a, VertexId b) {
+            s.sliver = std::max(
+                s.sliver, cosineOfSmallestAngle({centre, mesh_.position(a), mesh_.position(b)}));
+        });
         return s;
     }
 
-    double ringMean(const std::vector<double> &values, VertexId v) const
+    double ringMean(const VertexData<double> &values, VertexId v) const
     {
         double sum = 0;
         for (const VertexId u : mesh_.ring(v))
@@ -224,11 +213,10 @@ private:
     {
         std::vector<double> scatter;
         std::vector<double> bending;
-        for (VertexId v = 0; v < mesh_.idBound(); ++v)
-            if (mesh_.isLive(v)) {
-                scatter.push_back(std::sqrt(noiseVariance(v)) / around_[v].meanEdge);
-                bending.push_back(around_[v].bendingVariance);
-            }
+        forEachVertex(mesh_, [&](VertexId v) {
+            scatter.push_back(std::sqrt(noiseVariance(v)) / around_[v].meanEdge);
+            bending.push_back(around_[v].bendingVariance);
+        });
         noise_ = std::clamp((median(std::move(scatter)) - scatterOfRelief) /
                                 (scatterOfNoise - scatterOfRelief),
                             0.0, 1.0);
@@ -266,43 +254,30 @@ private:
         const Eigen::Vector3d d = system.ldlt().solve(pull);
         const Point3 displacement(d[0], d[1], d[2]);
         const Scalar length = displacement.Norm();
-        const Scalar most = longestMove * shortestEdge(v);
+        const Scalar most = longestMove * shortestEdge(mesh_, v);
         return length > most ? displacement * (most / length) : displacement;
-    }
-
-    Scalar shortestEdge(VertexId v) const
-    {
-        Scalar shortest = std::numeric_limits<Scalar>::infinity();
-        for (const VertexId u : mesh_.ring(v))
-            shortest = std::min(shortest, (mesh_.position(u) - mesh_.position(v)).SquaredNorm());
-        return std::sqrt(shortest);
     }
 
     /// Puts back the corners of every face that the sweep turned. Putting one back can turn a
     /// neighbour, hence the rounds.
-    void takeBackTurns(const std::vector<Point3> &before)
+    void takeBackTurns(const VertexData<Point3> &before)
     {
         constexpr int rounds = 8;
         for (int round = 0; round < rounds; ++round) {
             bool turned = false;
-            for (VertexId v = 0; v < mesh_.idBound(); ++v) {
-                const NeighbourRing &ring = mesh_.ring(v);
-                for (int i = 0; i < ring.size(); ++i) {
-                    const VertexId a = ring[i];
-                    const VertexId b = ring.at(i + 1);
-                    if (v > a || v > b || !isTurned(before, v, a, b))
-                        continue;
-                    turned = true;
-                    for (const VertexId corner : {v, a, b})
-                        network_.moveVertex(corner, before[corner]);
-                }
-            }
+            forEachFace(mesh_, [&](VertexId v, VertexId a, VertexId b) {
+                if (!isTurned(before, v, a, b))
+                    return;
+                turned = true;
+                for (const VertexId corner : {v, a, b})
+                    network_.moveVertex(corner, before[corner]);
+            });
             if (!turned)
                 return;
         }
     }
 
-    bool isTurned(const std::vector<Point3> &before, VertexId a, VertexId b, VertexId c) const
+    bool isTurned(const VertexData<Point3> &before, VertexId a, VertexId b, VertexId c) const
     {
         const Point3 old = (before[b] - before[a]) ^ (before[c] - before[a]);
         const Point3 now =
@@ -312,9 +287,10 @@ private:
 
     void noteResiduals()
     {
-        for (VertexId v = 0; v < mesh_.idBound(); ++v)
+        forEachVertex(mesh_, [&](VertexId v) {
             if (accumulators_[v].weight > 0)
                 typicalResidual_[v] = accumulators_[v].residual / accumulators_[v].weight;
+        });
     }
 
     GrowingNetwork &network_;
@@ -323,14 +299,13 @@ private:
     Random &random_;
     MortonOrder order_;
     std::vector<Point3> samples_;
-    std::vector<Point3> moved_;
-    std::vector<Accumulator> accumulators_;
-    std::vector<Surroundings> around_;
-    double information_ = 1;    ///< of all sweeps so far, in sweeps; no more than the points hold
-    double noise_ = 0;          ///< see judgeNoise()
-    double mostBending_ = 0;    ///< the most that is believed, as a variance
-    std::vector<Point3> start_; ///< by id, positions before the fit
-    std::vector<Scalar> typicalResidual_; ///< by id, of the last sweep
+    VertexData<Accumulator> accumulators_;
+    VertexData<Surroundings> around_;
+    double information_ = 1;   ///< of all sweeps so far, in sweeps; no more than the points hold
+    double noise_ = 0;         ///< see judgeNoise()
+    double mostBending_ = 0;   ///< the most that is believed, as a variance
+    VertexData<Point3> start_; ///< positions before the fit
+    VertexData<Scalar> typicalResidual_; ///< of the last sweep
 };
 
 } // namespace

@@ -5,6 +5,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/mesh/enumeration.h"
+
 namespace neuralmesh {
 namespace {
 
@@ -66,9 +68,9 @@ std::vector<int> labelComponents(const NeuralMesh &mesh)
     std::vector<int> labels(mesh.idBound(), -1);
     std::vector<VertexId> open;
     int components = 0;
-    for (VertexId seed = 0; seed < mesh.idBound(); ++seed) {
-        if (!mesh.isLive(seed) || labels[seed] >= 0)
-            continue;
+    forEachVertex(mesh, [&](VertexId seed) {
+        if (labels[seed] >= 0)
+            return;
         labels[seed] = components;
         open.push_back(seed);
         while (!open.empty()) {
@@ -81,7 +83,7 @@ std::vector<int> labelComponents(const NeuralMesh &mesh)
                 }
         }
         ++components;
-    }
+    });
     return labels;
 }
 
@@ -89,16 +91,12 @@ TopologyFigures measureTopology(const NeuralMesh &mesh)
 {
     TopologyFigures figures;
     const std::vector<int> labels = labelComponents(mesh);
-    int corners = 0;
-    for (VertexId v = 0; v < mesh.idBound(); ++v) {
-        if (!mesh.isLive(v))
-            continue;
+    forEachVertex(mesh, [&](VertexId v) {
         figures.components = std::max(figures.components, labels[v] + 1);
         ++figures.vertices;
-        corners += mesh.valence(v);
-    }
-    figures.edges = corners / 2;
-    figures.faces = corners / 3;
+    });
+    forEachEdge(mesh, [&](VertexId, VertexId) { ++figures.edges; });
+    forEachFace(mesh, [&](VertexId, VertexId, VertexId) { ++figures.faces; });
     figures.genus = figures.components - (figures.vertices - figures.edges + figures.faces) / 2;
     return figures;
 }
@@ -106,29 +104,21 @@ TopologyFigures measureTopology(const NeuralMesh &mesh)
 std::vector<int> valenceHistogram(const NeuralMesh &mesh)
 {
     std::vector<int> histogram;
-    for (VertexId v = 0; v < mesh.idBound(); ++v) {
-        if (!mesh.isLive(v))
-            continue;
+    forEachVertex(mesh, [&](VertexId v) {
         const auto valence = static_cast<std::size_t>(mesh.valence(v));
         if (histogram.size() <= valence)
             histogram.resize(valence + 1, 0);
         ++histogram[valence];
-    }
+    });
     return histogram;
 }
 
 double signedVolume(const NeuralMesh &mesh)
 {
     double volume = 0;
-    for (VertexId v = 0; v < mesh.idBound(); ++v) {
-        const NeighbourRing &ring = mesh.ring(v);
-        for (int i = 0; i < ring.size(); ++i) {
-            const VertexId a = ring[i];
-            const VertexId b = ring[ring.next(i)];
-            if (v < a && v < b)
-                volume += mesh.position(v) * (mesh.position(a) ^ mesh.position(b)) / 6;
-        }
-    }
+    forEachFace(mesh, [&](VertexId v, VertexId a, VertexId b) {
+        volume += mesh.position(v) * (mesh.position(a) ^ mesh.position(b)) / 6;
+    });
     return volume;
 }
 

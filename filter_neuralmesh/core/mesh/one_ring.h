@@ -39,6 +39,8 @@ public:
     }
 
     int size() const { return size_; }
+    /// Faces around the vertex: face i lies between the neighbours at places i and next(i).
+    int faceCount() const { return size_; }
     const VertexId *begin() const { return spill_ ? spill_->data() : inline_; }
     const VertexId *end() const { return begin() + size_; }
     VertexId operator[](int i) const

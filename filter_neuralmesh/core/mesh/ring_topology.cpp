@@ -5,6 +5,8 @@
 
 #include <vcg/complex/allocate.h>
 
+#include "core/mesh/enumeration.h"
+
 namespace neuralmesh {
 namespace {
 
@@ -149,24 +151,15 @@ void rebuildFaces(NeuralMesh &mesh)
 {
     mesh.face.clear();
     mesh.fn = 0;
-    const VertexId bound = mesh.idBound();
-    std::size_t corners = 0;
-    for (VertexId v = 0; v < bound; ++v)
-        corners += static_cast<std::size_t>(mesh.valence(v));
-    auto face = vcg::tri::Allocator<NeuralMesh>::AddFaces(mesh, corners / 3);
-    for (VertexId v = 0; v < bound; ++v) {
-        const NeighbourRing &ring = mesh.ring(v);
-        for (int i = 0; i < ring.size(); ++i) {
-            const VertexId a = ring[i];
-            const VertexId b = ring[ring.next(i)];
-            if (v > a || v > b)
-                continue;
-            face->V(0) = &mesh.vert[v];
-            face->V(1) = &mesh.vert[a];
-            face->V(2) = &mesh.vert[b];
-            ++face;
-        }
-    }
+    std::size_t count = 0;
+    forEachFace(mesh, [&](VertexId, VertexId, VertexId) { ++count; });
+    auto face = vcg::tri::Allocator<NeuralMesh>::AddFaces(mesh, count);
+    forEachFace(mesh, [&](VertexId v, VertexId a, VertexId b) {
+        face->V(0) = &mesh.vert[v];
+        face->V(1) = &mesh.vert[a];
+        face->V(2) = &mesh.vert[b];
+        ++face;
+    });
 }
 
 void reverseOrientation(NeuralMesh &mesh)

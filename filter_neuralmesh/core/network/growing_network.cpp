@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mesh/edge_lengths.h"
+#include "core/mesh/enumeration.h"
 #include "core/mesh/ring_topology.h"
 #include "core/mesh/self_intersections.h"
 #include "core/network/edge_flips.h"
@@ -46,9 +48,7 @@ GrowingNetwork::GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
                                const GrowthParameters &parameters)
     : parameters_(parameters), mesh_(startingMesh), grid_(bounds), lastWin_(startingMesh)
 {
-    for (VertexId v = 0; v < mesh_.idBound(); ++v)
-        if (mesh_.isLive(v))
-            vertexAdded(v);
+    forEachVertex(mesh_, [&](VertexId v) { vertexAdded(v); });
     mesh_.follow(*this);
     updateDecay();
 }
@@ -62,14 +62,10 @@ VertexId GrowingNetwork::findWinner(const Point3 &sample)
 StarProjection GrowingNetwork::project(VertexId winner, const Point3 &sample) const
 {
     StarProjection best = projectOnStar(mesh_, winner, sample);
-    const NeighbourRing &ring = mesh_.ring(winner);
-    Scalar edges = 0;
-    for (const VertexId u : ring)
-        edges += (mesh_.position(u) - mesh_.position(winner)).Norm();
-    const Scalar reach = std::max((mesh_.position(winner) - sample).Norm(),
-                                  sheetDistance * edges / static_cast<Scalar>(ring.size()));
+    const Scalar reach =
+        std::max((mesh_.position(winner) - sample).Norm(), sheetDistance * meanEdge(mesh_, winner));
     grid_.forEachWithin(sample, reach, [&](VertexId v) {
-        if (v == winner || ring.contains(v))
+        if (v == winner || mesh_.ring(winner).contains(v))
             return;
         const StarProjection p = projectOnStar(mesh_, v, sample);
         if (p.squaredDistance < best.squaredDistance)
@@ -91,9 +87,7 @@ std::vector<VertexId> GrowingNetwork::findIntersectingVertices()
 
 void GrowingNetwork::evenValences()
 {
-    for (VertexId v = 0; v < mesh_.idBound(); ++v)
-        if (mesh_.isLive(v))
-            evenValencesAround(mesh_, v);
+    forEachVertex(mesh_, [&](VertexId v) { evenValencesAround(mesh_, v); });
 }
 
 std::vector<VertexId> GrowingNetwork::exchangeIrregular()
@@ -244,11 +238,7 @@ void GrowingNetwork::shareCounter(VertexId v, VertexId w)
 
 Scalar GrowingNetwork::voronoiArea(VertexId v) const
 {
-    const NeighbourRing &ring = mesh_.ring(v);
-    Scalar sum = 0;
-    for (const VertexId u : ring)
-        sum += (mesh_.position(u) - mesh_.position(v)).Norm();
-    const Scalar averageEdge = sum / static_cast<Scalar>(ring.size());
+    const Scalar averageEdge = meanEdge(mesh_, v);
     return averageEdge * averageEdge;
 }
 
@@ -273,9 +263,10 @@ int GrowingNetwork::collapseInactive(const SampleSupport &support)
 {
     lastCollapse_ = signals_;
     std::vector<VertexId> inactive;
-    for (VertexId v = 0; v < mesh_.idBound(); ++v)
-        if (mesh_.isLive(v) && isInactive(v))
+    forEachVertex(mesh_, [&](VertexId v) {
+        if (isInactive(v))
             inactive.push_back(v);
+    });
     return collapse(inactive, support);
 }
 

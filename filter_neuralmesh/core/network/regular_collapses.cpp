@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/mesh/enumeration.h"
 #include "core/mesh/ring_topology.h"
 #include "core/mesh/triangle.h"
 #include "core/network/star_projection.h"
@@ -24,23 +25,22 @@ constexpr Scalar mostHeight = 0.2;
 /// Whether the faces of v, with v moved to its neighbour u, are as good as before.
 bool collapseKeepsSurface(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
-    const NeighbourRing &ring = mesh.ring(v);
+    bool turns = false;
     Scalar sliverBefore = 0;
     Scalar sliverAfter = 0;
     Scalar height = std::numeric_limits<Scalar>::infinity(); // squared
-    for (int i = 0; i < ring.size(); ++i) {
-        const Point3 &a = mesh.position(ring[i]);
-        const Point3 &b = mesh.position(ring[ring.next(i)]);
-        const Triangle before{mesh.position(v), a, b};
+    forEachFaceAround(mesh, v, [&](VertexId a, VertexId b) {
+        const Triangle before{mesh.position(v), mesh.position(a), mesh.position(b)};
         sliverBefore = std::max(sliverBefore, cosineOfSmallestAngle(before));
-        if (ring[i] == u || ring[ring.next(i)] == u)
-            continue;
-        const Triangle after{mesh.position(u), a, b};
+        if (a == u || b == u)
+            return;
+        const Triangle after{mesh.position(u), mesh.position(a), mesh.position(b)};
         sliverAfter = std::max(sliverAfter, cosineOfSmallestAngle(after));
-        if (!(unitNormal(before) * unitNormal(after) > mostTurnCosine))
-            return false;
+        turns = turns || !(unitNormal(before) * unitNormal(after) > mostTurnCosine);
         height = std::min(height, squaredDistanceTo(after, mesh.position(v)));
-    }
+    });
+    if (turns)
+        return false;
     if (height > mostHeight * mostHeight * (mesh.position(u) - mesh.position(v)).SquaredNorm())
         return false;
     return sliverAfter <= std::max(sliverBefore, goodAngleCosine);
@@ -81,15 +81,15 @@ int gainOfCollapse(const NeuralMesh &mesh, VertexId v, VertexId u)
 std::vector<VertexId> mostRegularCollapses(const NeuralMesh &mesh)
 {
     std::vector<std::pair<int, VertexId>> found; // the gain, negative: the most comes first
-    for (VertexId v = 0; v < mesh.idBound(); ++v) {
-        if (!mesh.isLive(v) || mesh.valence(v) != idealValence - 1)
-            continue;
+    forEachVertex(mesh, [&](VertexId v) {
+        if (mesh.valence(v) != idealValence - 1)
+            return;
         const VertexId into = bestCollapse(mesh, v);
         if (into == noVertex)
-            continue;
+            return;
         if (const int gain = gainOfCollapse(mesh, v, into); gain > 0)
             found.emplace_back(-gain, v);
-    }
+    });
     std::sort(found.begin(), found.end());
     std::vector<VertexId> vertices;
     for (const auto &[gain, v] : found)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/result/attribute_transfer.h"
 
+#include "core/mesh/enumeration.h"
+
 namespace neuralmesh {
 
 AttributeTransfer::AttributeTransfer(const NeuralMesh &mesh, const Box3 &bounds)
@@ -8,15 +10,11 @@ AttributeTransfer::AttributeTransfer(const NeuralMesh &mesh, const Box3 &bounds)
 {
     double squares = 0;
     double edges = 0;
-    for (VertexId v = 0; v < mesh.idBound(); ++v) {
-        if (!mesh.isLive(v))
-            continue;
-        grid_.insert(v, mesh.position(v));
-        for (const VertexId u : mesh.ring(v)) {
-            squares += (mesh.position(u) - mesh.position(v)).SquaredNorm();
-            ++edges;
-        }
-    }
+    forEachVertex(mesh, [&](VertexId v) { grid_.insert(v, mesh.position(v)); });
+    forEachEdge(mesh, [&](VertexId v, VertexId u) {
+        squares += (mesh.position(u) - mesh.position(v)).SquaredNorm();
+        ++edges;
+    });
     squaredEdge_ = squares / edges;
 }
 
@@ -37,14 +35,12 @@ std::vector<AttributeValues> AttributeTransfer::average() const
     std::vector<Sum> sums = sums_;
     spreadToEmpty(sums);
     std::vector<AttributeValues> averages;
-    for (VertexId v = 0; v < mesh_.idBound(); ++v) {
-        if (!mesh_.isLive(v))
-            continue;
+    forEachVertex(mesh_, [&](VertexId v) {
         averages.push_back(sums[v].values);
         if (sums[v].weight > 0)
             for (double &value : averages.back())
                 value /= sums[v].weight;
-    }
+    });
     return averages;
 }
 
@@ -52,9 +48,10 @@ std::vector<AttributeValues> AttributeTransfer::average() const
 void AttributeTransfer::spreadToEmpty(std::vector<Sum> &sums) const
 {
     std::vector<VertexId> empty;
-    for (VertexId v = 0; v < mesh_.idBound(); ++v)
-        if (mesh_.isLive(v) && !(sums[v].weight > 0))
+    forEachVertex(mesh_, [&](VertexId v) {
+        if (!(sums[v].weight > 0))
             empty.push_back(v);
+    });
     for (bool progress = true; progress && !empty.empty();) {
         std::vector<VertexId> stillEmpty;
         std::vector<std::pair<VertexId, Sum>> filled;

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "core/mesh/face_table.h"
+#include "core/mesh/edge_lengths.h"
+#include "core/mesh/enumeration.h"
 #include "core/mesh/ring_topology.h"
 #include "core/mesh/triangle.h"
+#include "core/mesh/vertex_data.h"
 
 namespace neuralmesh {
 namespace {
@@ -26,11 +28,6 @@ constexpr Scalar farFromFace = 0.5;
 /// A flip must shorten by this factor to count as progress.
 constexpr Scalar shortening = 0.8;
 
-Scalar distance(const NeuralMesh &mesh, VertexId v, VertexId u)
-{
-    return (mesh.position(v) - mesh.position(u)).Norm();
-}
-
 /// Whether an edge is overlong for the spacings at its ends.
 bool exceeds(Scalar length, Scalar spacing, Scalar otherSpacing)
 {
@@ -40,25 +37,24 @@ bool exceeds(Scalar length, Scalar spacing, Scalar otherSpacing)
 Scalar flippedLength(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     const OppositeVertices opposite = oppositeVertices(mesh, v, u);
-    return distance(mesh, opposite.left, opposite.right);
+    return edgeLength(mesh, opposite.left, opposite.right);
 }
 
 class WebRetraction {
 public:
-    WebRetraction(NeuralMesh &mesh, const SampleSupport &support) : mesh_(mesh), support_(support)
+    WebRetraction(NeuralMesh &mesh, const SampleSupport &support)
+        : mesh_(mesh), support_(support), spacing_(mesh)
     {
     }
 
     int run()
     {
         int flips = 0;
-        spacing_.resize(mesh_.idBound());
-        for (VertexId v = mesh_.idBound(); v-- > 0;) {
-            if (!mesh_.isLive(v))
-                continue;
+        forEachVertex(mesh_, [&](VertexId v) {
             open_.push_back(v);
             spacing_[v] = localSpacing(mesh_, v);
-        }
+        });
+        std::reverse(open_.begin(), open_.end()); // the lowest id is looked at first
         while (!open_.empty()) {
             const VertexId v = open_.back();
             open_.pop_back();
@@ -90,14 +86,14 @@ private:
 
     bool isWeb(VertexId v, VertexId u) const
     {
-        return exceeds(distance(mesh_, v, u), spacing_[v], spacing_[u]) ||
+        return exceeds(edgeLength(mesh_, v, u), spacing_[v], spacing_[u]) ||
                !isSupported(mesh_, support_, v, u);
     }
 
     bool flipIfMuchShorter(VertexId v, VertexId u)
     {
         if (!canFlip(mesh_, v, u) ||
-            flippedLength(mesh_, v, u) > shortening * distance(mesh_, v, u))
+            flippedLength(mesh_, v, u) > shortening * edgeLength(mesh_, v, u))
             return false;
         flip(mesh_, v, u);
         return true;
@@ -107,14 +103,14 @@ private:
     /// web next to it first puts another vertex opposite. Tries each of the four.
     bool flipAfterNeighbour(VertexId v, VertexId u)
     {
-        const Scalar length = distance(mesh_, v, u);
+        const Scalar length = edgeLength(mesh_, v, u);
         const OppositeVertices opposite = oppositeVertices(mesh_, v, u);
         const VertexId rim[4][2] = {
             {v, opposite.left}, {u, opposite.left}, {v, opposite.right}, {u, opposite.right}};
         for (const auto &[end, corner] : rim) {
             if (!isWeb(end, corner) || !canFlip(mesh_, end, corner))
                 continue;
-            const Scalar before = length + distance(mesh_, end, corner);
+            const Scalar before = length + edgeLength(mesh_, end, corner);
             const Scalar rimAfter = flippedLength(mesh_, end, corner);
             const OppositeVertices undo = oppositeVertices(mesh_, end, corner);
             flip(mesh_, end, corner);
@@ -131,7 +127,7 @@ private:
     NeuralMesh &mesh_;
     const SampleSupport &support_;
     std::vector<VertexId> open_;
-    std::vector<Scalar> spacing_; ///< by id, kept in step at the corners of each flip
+    VertexData<Scalar> spacing_; ///< kept in step at the corners of each flip
 };
 
 } // namespace
@@ -139,43 +135,28 @@ private:
 bool isSupported(const NeuralMesh &mesh, const SampleSupport &support, VertexId v, VertexId u)
 {
     const Point3 middle = (mesh.position(v) + mesh.position(u)) / 2;
-    return support.hasWithin(middle, supportDistance * distance(mesh, v, u));
+    return support.hasWithin(middle, supportDistance * edgeLength(mesh, v, u));
 }
 
 double unsupportedShare(const NeuralMesh &mesh, const SampleSupport &support)
 {
     double all = 0;
     double unsupported = 0;
-    const FaceTable faces(mesh);
-    for (FaceId face = 0; face < faces.size(); ++face) {
-        const Corners &c = faces.corners(face);
-        const Triangle t{mesh.position(c[0]), mesh.position(c[1]), mesh.position(c[2])};
+    forEachFace(mesh, [&](VertexId v, VertexId a, VertexId b) {
+        const Triangle t{mesh.position(v), mesh.position(a), mesh.position(b)};
         const Scalar faceArea = area(t);
         all += faceArea;
         // Of an equilateral triangle of that area.
         const Scalar edge = std::sqrt(faceArea * 4 / std::sqrt(Scalar(3)));
         if (!support.hasWithin((t.a + t.b + t.c) / 3, farFromFace * edge))
             unsupported += faceArea;
-    }
+    });
     return all > 0 ? unsupported / all : 0;
-}
-
-Scalar localSpacing(const NeuralMesh &mesh, VertexId v)
-{
-    constexpr Scalar unknown = std::numeric_limits<Scalar>::infinity();
-    Scalar shortest[3] = {unknown, unknown, unknown};
-    for (const VertexId u : mesh.ring(v)) {
-        Scalar length = (mesh.position(u) - mesh.position(v)).SquaredNorm();
-        for (Scalar &held : shortest)
-            if (length < held)
-                std::swap(length, held);
-    }
-    return (std::sqrt(shortest[0]) + std::sqrt(shortest[1]) + std::sqrt(shortest[2])) / 3;
 }
 
 bool isOverlong(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
-    return exceeds(distance(mesh, v, u), localSpacing(mesh, v), localSpacing(mesh, u));
+    return exceeds(edgeLength(mesh, v, u), localSpacing(mesh, v), localSpacing(mesh, u));
 }
 
 int retractWebs(NeuralMesh &mesh, const SampleSupport &support)

@@ -22,10 +22,6 @@ bool isSupported(const NeuralMesh &mesh, const SampleSupport &support, VertexId 
 /// closes an open surface.
 double unsupportedShare(const NeuralMesh &mesh, const SampleSupport &support);
 
-/// Spacing of the vertices around v: the mean length of its three shortest edges, which stays true
-/// where up to half of the star is a web.
-Scalar localSpacing(const NeuralMesh &mesh, VertexId v);
-
 /// Whether edge (v, u) is several times as long as the spacing at its ends, as edges across a void
 /// are and edges along the surface are not. Needs no samples.
 bool isOverlong(const NeuralMesh &mesh, VertexId v, VertexId u);

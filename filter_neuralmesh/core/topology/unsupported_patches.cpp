@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/mesh/edge_lengths.h"
+#include "core/mesh/enumeration.h"
+
 namespace neuralmesh {
 namespace {
 
@@ -29,24 +32,23 @@ PatchSearch::PatchSearch(const NeuralMesh &mesh, const FaceTable &faces,
 
 void PatchSearch::judgeEdges(const SampleSupport &support)
 {
-    for (FaceId face = 0; face < faces_.size(); ++face)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const VertexId a = faces_.corners(face)[k];
-            const VertexId b = faces_.corners(face)[(k + 1) % 3];
-            if (b < a) // judged from its other face
-                continue;
-            const Point3 middle = (mesh_.position(a) + mesh_.position(b)) / 2;
-            const Scalar length = (mesh_.position(a) - mesh_.position(b)).Norm();
-            if (support.hasWithin(middle, farDistance * length))
-                continue;
-            const FaceId other = faces_.leftOf(b, a);
-            const Corners &corners = faces_.corners(other);
-            const auto start = std::find(corners.begin(), corners.end(), b) - corners.begin();
-            isFar_[3 * face + k] = 1;
-            isFar_[3 * other + static_cast<std::size_t>(start)] = 1;
-            isSeed_[face] = 1;
-            isSeed_[other] = 1;
-        }
+    forEachEdge(mesh_, [&](VertexId a, VertexId b) {
+        const Point3 middle = (mesh_.position(a) + mesh_.position(b)) / 2;
+        if (support.hasWithin(middle, farDistance * edgeLength(mesh_, a, b)))
+            return;
+        markFar(a, b);
+        markFar(b, a);
+    });
+}
+
+/// The edge from a to b, of the face to its left.
+void PatchSearch::markFar(VertexId a, VertexId b)
+{
+    const FaceId face = faces_.leftOf(a, b);
+    const Corners &corners = faces_.corners(face);
+    const auto start = std::find(corners.begin(), corners.end(), a) - corners.begin();
+    isFar_[3 * face + static_cast<std::size_t>(start)] = 1;
+    isSeed_[face] = 1;
 }
 
 std::optional<Patch> PatchSearch::find(FaceId seed, PatchExtent extent)

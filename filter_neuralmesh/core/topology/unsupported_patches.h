@@ -43,6 +43,7 @@ private:
     static constexpr int none = -1;
 
     void judgeEdges(const SampleSupport &support);
+    void markFar(VertexId a, VertexId b);
     void spread(std::vector<FaceId> &patch, std::size_t from);
     void dilate(std::vector<FaceId> &patch);
     bool fillPinchesAndIslands(std::vector<FaceId> &patch);

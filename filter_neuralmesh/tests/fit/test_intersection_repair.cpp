@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/mesh/enumeration.h"
 #include "tests/meshes_for_tests.h"
 
 namespace neuralmesh {
@@ -16,12 +17,9 @@ Box3 wideBounds()
     return bounds;
 }
 
-std::vector<Point3> positionsOf(const NeuralMesh &mesh)
+void keepPositions(const NeuralMesh &mesh, VertexData<Point3> &positions)
 {
-    std::vector<Point3> positions;
-    for (const NeuralVertex &vertex : mesh.vert)
-        positions.push_back(vertex.cP());
-    return positions;
+    forEachVertex(mesh, [&](VertexId v) { positions[v] = mesh.position(v); });
 }
 
 TEST(IntersectionRepair, a_vertex_pushed_through_the_opposite_wall_comes_back)
@@ -29,13 +27,15 @@ TEST(IntersectionRepair, a_vertex_pushed_through_the_opposite_wall_comes_back)
     NeuralMesh mesh;
     test::makeTorus(mesh, 24, 12);
     GrowingNetwork network(mesh, wideBounds(), GrowthParameters{});
-    const std::vector<Point3> before = positionsOf(mesh);
+    VertexData<Point3> before(mesh);
+    keepPositions(mesh, before);
     network.moveVertex(0, before[0] - Point3(2.5, 0, 0)); // from the outside through the tube
     ASSERT_FALSE(network.findIntersectingVertices().empty());
     EXPECT_EQ(repairIntersections(network, before), 0);
     EXPECT_TRUE(network.findIntersectingVertices().empty());
-    for (VertexId v = 0; v < mesh.idBound(); ++v)
+    forEachVertex(mesh, [&](VertexId v) {
         EXPECT_TRUE(v == 0 || mesh.position(v) == before[v]) << v; // the wall was sound
+    });
 }
 
 TEST(IntersectionRepair, what_intersected_before_too_is_smoothed)
@@ -44,7 +44,8 @@ TEST(IntersectionRepair, what_intersected_before_too_is_smoothed)
     test::makeTorus(mesh, 24, 12);
     GrowingNetwork network(mesh, wideBounds(), GrowthParameters{});
     network.moveVertex(0, mesh.position(0) - Point3(2.5, 0, 0));
-    const std::vector<Point3> before = positionsOf(mesh);
+    VertexData<Point3> before(mesh);
+    keepPositions(mesh, before);
     EXPECT_EQ(repairIntersections(network, before), 0);
     EXPECT_TRUE(network.findIntersectingVertices().empty());
 }
@@ -54,10 +55,11 @@ TEST(IntersectionRepair, a_sound_mesh_stays_as_it_is)
     NeuralMesh mesh;
     test::makeTorus(mesh, 24, 12);
     GrowingNetwork network(mesh, wideBounds(), GrowthParameters{});
-    const std::vector<Point3> before = positionsOf(mesh);
-    const std::vector<Point3> elsewhere(before.size(), Point3(0, 0, 0));
+    VertexData<Point3> before(mesh);
+    keepPositions(mesh, before);
+    const VertexData<Point3> elsewhere(mesh, Point3(0, 0, 0));
     EXPECT_EQ(repairIntersections(network, elsewhere), 0);
-    EXPECT_EQ(positionsOf(mesh), before);
+    forEachVertex(mesh, [&](VertexId v) { EXPECT_EQ(mesh.position(v), before[v]) << v; });
 }
 
 } // namespace

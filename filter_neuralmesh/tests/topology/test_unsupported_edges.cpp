@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/mesh/edge_lengths.h"
 #include "core/mesh/face_table.h"
 #include "core/mesh/mesh_checks.h"
 #include "tests/meshes_for_tests.h"
