@@ -38,8 +38,10 @@ void findWinner(benchmark::State &state)
     Grown grown(state);
     GrowingNetwork network(grown.mesh, sphere().bounds(), {});
     std::size_t i = 0;
+    VertexId winner = noVertex;
     for (auto _ : state)
-        benchmark::DoNotOptimize(network.findWinner(grown.samples[i++ % grown.samples.size()]));
+        benchmark::DoNotOptimize(
+            winner = network.findWinner(grown.samples[i++ % grown.samples.size()], winner));
 }
 
 void findWinnerAndAdapt(benchmark::State &state)
@@ -47,9 +49,10 @@ void findWinnerAndAdapt(benchmark::State &state)
     Grown grown(state);
     GrowingNetwork network(grown.mesh, sphere().bounds(), {});
     std::size_t i = 0;
+    VertexId winner = noVertex;
     for (auto _ : state) {
         const Point3 &sample = grown.samples[i++ % grown.samples.size()];
-        network.adapt(network.findWinner(sample), sample);
+        network.adapt(winner = network.findWinner(sample, winner), sample);
     }
 }
 
@@ -60,7 +63,7 @@ void countSignal(benchmark::State &state)
     Random random(3);
     const auto vertices = static_cast<std::uint64_t>(network.vertexCount());
     for (auto _ : state)
-        network.countSignal(static_cast<VertexId>(random.below(vertices)));
+        network.countSignal(static_cast<VertexId>(random.below(vertices)), grown.samples.front());
 }
 
 void drawAndSort(benchmark::State &state)

@@ -11,7 +11,7 @@
 #include "core/mesh/ring_topology.h"
 #include "core/mesh/vertex_data.h"
 #include "core/network/growing_network.h"
-#include "core/network/star_projection.h"
+#include "core/network/learning_rules.h"
 #include "core/result/error_measure.h"
 #include "core/space/morton_order.h"
 #include "core/topology/starting_mesh.h"
@@ -26,24 +26,11 @@ constexpr double batchPerVertex = 0.5;
 /// Samples from which the starting solid takes its place and shape.
 constexpr std::size_t startingSamples = 1000;
 
-/// Share of a signal's count that depends on the sample's distance to the surface, and the most
-/// that a distance may count, in means.
-constexpr double errorShare = 0.75;
-constexpr double mostRelative = 4;
-/// Share of the target from which that is so: while the network is coarse, errors are those of
-/// webs and of limbs not yet found, and following them keeps the webs (dino's legs).
-constexpr double errorFrom = 0.4;
-/// Weight of a new sample in the running mean.
-constexpr double meanWeight = 0.001;
-
 /// Samples for each vertex by which the error is measured, of the result and on the way.
 constexpr std::size_t samplesPerErrorMeasure = 6;
 constexpr std::size_t samplesPerConvergence = 2;
 /// Vertices at the first entry of the convergence.
 constexpr int firstDoubling = 8;
-
-/// Vertices up to which a network is young.
-constexpr int youngVertices = 500;
 
 /// Share of the time that growth takes, the fit takes the rest.
 constexpr double shareOfGrowth = 0.85;
@@ -55,9 +42,6 @@ constexpr std::size_t signalsPerReport = 10000;
 constexpr int consolidationRounds = 10;
 /// Samples of a census for each vertex: one with the average share misses all with e^-10.
 constexpr std::size_t censusPerVertex = 10;
-/// Samples for each vertex that tell where the target space is, when webs are looked for.
-constexpr int supportPerVertex = 12;
-constexpr int supportPerVertexOfPaper = 6; // whole webs are not looked for there
 /// Points for each vertex that tell as much as any number of samples. Where there are fewer, a
 /// sample counts as near from further away: their spacing grows as the root of their number falls.
 constexpr double pointsPerVertex = 5;
@@ -129,7 +113,7 @@ private:
         signalsAtCheck_ = network_.signals();
         while (!isComplete()) {
             learnBatch();
-            splitMostActive(batch_.size() / signalsPerSplit());
+            splitMostActive(batch_.size() / static_cast<std::size_t>(network_.signalsPerSplit()));
             isCrowded_ = isCrowded_ || hasStagnated();
             if (!isCrowded_ && network_.collapseIsDue())
                 collapseInactive();
@@ -158,8 +142,11 @@ private:
         const auto vertices = static_cast<std::size_t>(network_.vertexCount());
         const std::size_t points = sampler_.pointCount();
         drawBatch(censusPerVertex * (points < 4 * vertices ? points : vertices));
-        for (const Point3 &sample : batch_)
-            hasWon[network_.findWinner(sample)] = 1;
+        VertexId winner = noVertex;
+        for (const Point3 &sample : batch_) {
+            winner = network_.nearestVertex(sample, winner);
+            hasWon[winner] = 1;
+        }
         std::vector<VertexId> idle;
         forEachVertex(network_.mesh(), [&](VertexId v) {
             if (hasWon[v] == 0)
@@ -172,61 +159,22 @@ private:
     void learnBatch()
     {
         sampleBatch();
+        VertexId winner = noVertex;
         for (std::size_t i = 0; i < batch_.size(); ++i) {
-            const VertexId winner = findWinner(batch_[i]);
+            winner = network_.findWinner(batch_[i], winner);
             network_.adapt(winner, batch_[i]);
-            network_.countSignal(winner, activity(winner, batch_[i]));
+            network_.countSignal(winner, batch_[i]);
             if (i % signalsPerReport == 0)
                 reportProgress();
         }
     }
 
-    /// Step 2. In the paper, the nearest vertex. Here, where the nearest face is of another sheet,
-    /// its nearest corner: otherwise each of two walls that are closer than their vertices is drawn
-    /// to the samples of both, and they become one in the middle.
-    VertexId findWinner(const Point3 &sample)
-    {
-        const VertexId nearest = network_.findWinner(sample);
-        if (parameters_.splitRule == SplitRule::paper || network_.vertexCount() < youngVertices)
-            return nearest;
-        const StarProjection p = network_.project(nearest, sample);
-        if (p.corners[0] == nearest)
-            return nearest;
-        return p.corners[std::max_element(p.weights, p.weights + 3) - p.weights];
-    }
-
-    /// What a signal counts. In the paper, 1. Here three quarters of it are the sample's distance
-    /// to the surface, so that vertices go where the error is; its root, because the distance
-    /// itself draws too many into creases and noise, and relative to its mean.
-    double activity(VertexId winner, const Point3 &sample)
-    {
-        if (parameters_.splitRule == SplitRule::paper)
-            return 1;
-        const double roughness =
-            std::sqrt(std::sqrt(projectOnStar(network_.mesh(), winner, sample).squaredDistance));
-        meanRoughness_ += (roughness - meanRoughness_) * meanWeight;
-        if (network_.vertexCount() < errorFrom * parameters_.targetVertexCount)
-            return 1;
-        const double relative = roughness / meanRoughness_;
-        return 1 - errorShare + errorShare * std::min(relative, mostRelative);
-    }
-
-    /// λ, or half of it while the network is young: growing slowly there gives the webs between
-    /// limbs time to settle. Of 8 seeds on dino, webs of a tenth of the diagonal were left in all
-    /// with 4 λ below 200 vertices, in half with λ, in one with λ / 2 below 500.
-    std::size_t signalsPerSplit() const
-    {
-        const auto lambda = static_cast<std::size_t>(parameters_.signalsPerSplit);
-        const bool isYoung =
-            parameters_.splitRule == SplitRule::balanced && network_.vertexCount() < youngVertices;
-        return isYoung ? (lambda + 1) / 2 : lambda;
-    }
-
     void sampleBatch()
     {
-        const auto lambda = static_cast<double>(signalsPerSplit());
+        const int lambda = network_.signalsPerSplit();
         const double splits = batchPerVertex * network_.vertexCount() / lambda;
-        drawBatch(static_cast<std::size_t>(std::max(1.0, splits)) * signalsPerSplit());
+        drawBatch(static_cast<std::size_t>(std::max(1.0, splits)) *
+                  static_cast<std::size_t>(lambda));
     }
 
     /// Step 1, for a whole batch, sorted by space.
@@ -289,8 +237,7 @@ private:
 
     void collapseInactive()
     {
-        const int perVertex =
-            parameters_.splitRule == SplitRule::paper ? supportPerVertexOfPaper : supportPerVertex;
+        const int perVertex = LearningRules::of(parameters_.splitRule).supportPerVertex;
         drawBatch(static_cast<std::size_t>(perVertex * network_.vertexCount()));
         report_.collapseCount +=
             static_cast<std::uint64_t>(network_.collapseInactive(supportOfBatch()));
@@ -331,7 +278,6 @@ private:
     GrowingNetwork network_;
     MortonOrder order_;
     std::vector<Point3> batch_;
-    double meanRoughness_ = 0;
     GrowthReport report_;
     std::size_t snapshotsTaken_ = 0;
     double countAtCheck_ = 0;

@@ -121,8 +121,11 @@ private:
         sampler_.draw(random_, static_cast<std::size_t>(samplesPerVertex * network_.vertexCount()),
                       samples_);
         order_.sort(samples_);
-        for (const Point3 &sample : samples_)
-            add(network_.project(network_.findWinner(sample), sample));
+        VertexId nearest = noVertex;
+        for (const Point3 &sample : samples_) {
+            nearest = network_.nearestVertex(sample, nearest);
+            add(network_.project(nearest, sample));
+        }
     }
 
     void add(const StarProjection &p)

@@ -39,6 +39,10 @@ constexpr int judgedVertices = 800;
 /// to 0.42; limbs and folds that are not parted yet 0.02 to 0.17.
 constexpr double shareOfOpenSurface = 0.25;
 
+/// Share of the target from which signals count by distance: while the network is coarse, errors
+/// are those of webs and of limbs not yet found, and following them keeps the webs (dino's legs).
+constexpr double countByDistanceFrom = 0.4;
+
 /// How far around a sample other sheets are looked for, in mean lengths of the winner's edges.
 constexpr Scalar sheetDistance = 0.8;
 
@@ -46,17 +50,28 @@ constexpr Scalar sheetDistance = 0.8;
 
 GrowingNetwork::GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
                                const GrowthParameters &parameters)
-    : parameters_(parameters), mesh_(startingMesh), grid_(bounds), lastWin_(startingMesh)
+    : parameters_(parameters), rules_(LearningRules::of(parameters.splitRule)), mesh_(startingMesh),
+      grid_(bounds), lastWin_(startingMesh)
 {
     forEachVertex(mesh_, [&](VertexId v) { vertexAdded(v); });
     mesh_.follow(*this);
     updateDecay();
 }
 
-VertexId GrowingNetwork::findWinner(const Point3 &sample)
+VertexId GrowingNetwork::nearestVertex(const Point3 &sample, VertexId hint) const
 {
-    lastWinner_ = grid_.nearest(sample, lastWinner_);
-    return lastWinner_;
+    return grid_.nearest(sample, hint);
+}
+
+VertexId GrowingNetwork::findWinner(const Point3 &sample, VertexId hint) const
+{
+    const VertexId nearest = nearestVertex(sample, hint);
+    if (!rules_.winnerIsOnNearestSheet || isYoung(vertexCount()))
+        return nearest;
+    const StarProjection p = project(nearest, sample);
+    if (p.corners[0] == nearest)
+        return nearest;
+    return p.corners[std::max_element(p.weights, p.weights + 3) - p.weights];
 }
 
 StarProjection GrowingNetwork::project(VertexId winner, const Point3 &sample) const
@@ -190,12 +205,27 @@ Point3 GrowingNetwork::normal(VertexId v) const
     return neighbourhood(v).normal;
 }
 
-void GrowingNetwork::countSignal(VertexId winner, double amount)
+void GrowingNetwork::countSignal(VertexId winner, const Point3 &sample)
 {
     ++signals_;
     lastWin_[winner] = signals_;
-    counters_.add(winner, amount);
+    counters_.add(winner, activity(winner, sample));
     counters_.decay(decayPerSignal_);
+}
+
+double GrowingNetwork::activity(VertexId winner, const Point3 &sample)
+{
+    if (!rules_.signalsCountByDistance)
+        return 1;
+    const double count =
+        activity_.count(std::sqrt(projectOnStar(mesh_, winner, sample).squaredDistance));
+    return vertexCount() < countByDistanceFrom * parameters_.targetVertexCount ? 1 : count;
+}
+
+int GrowingNetwork::signalsPerSplit() const
+{
+    const int lambda = parameters_.signalsPerSplit;
+    return rules_.youngSplitTwiceAsOften && isYoung(vertexCount()) ? (lambda + 1) / 2 : lambda;
 }
 
 VertexId GrowingNetwork::splitMostActive()
@@ -206,8 +236,8 @@ VertexId GrowingNetwork::splitMostActive()
 VertexId GrowingNetwork::splitOff(VertexId v)
 {
     const int edge = longestEdge(mesh_, v);
-    return splitStar(parameters_.splitRule == SplitRule::paper ? halvingSplit(mesh_, v, edge)
-                                                               : balancedSplit(mesh_, v, edge),
+    return splitStar(rules_.splitsEvenValences ? balancedSplit(mesh_, v, edge)
+                                               : halvingSplit(mesh_, v, edge),
                      (mesh_.position(v) + mesh_.position(mesh_.ring(v)[edge])) / 2);
 }
 
@@ -279,7 +309,7 @@ int GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const Sample
             neuralmesh::collapse(mesh_, v, into);
     if (!isOpen_) {
         retractWebs(mesh_, support);
-        if (parameters_.splitRule == SplitRule::balanced && vertexCount() >= webVertices) {
+        if (rules_.websAreTakenOut && vertexCount() >= webVertices) {
             removeWebs(support);
             mendTears(support);
         }

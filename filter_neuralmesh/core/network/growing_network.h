@@ -7,6 +7,8 @@
 
 #include "core/mesh/neural_mesh.h"
 #include "core/mesh/vertex_data.h"
+#include "core/network/learning_rules.h"
+#include "core/network/signal_activity.h"
 #include "core/network/signal_counters.h"
 #include "core/network/star_projection.h"
 #include "core/network/star_splits.h"
@@ -33,8 +35,12 @@ public:
     /// Signals counted so far.
     std::uint64_t signals() const { return signals_; }
 
-    /// Step 2: the vertex nearest to the sample. Fast where the sample is near the last one.
-    VertexId findWinner(const Point3 &sample);
+    /// The vertex nearest to the sample. The hint, any vertex that may be near, such as the one
+    /// nearest to the last sample, saves time and changes nothing.
+    VertexId nearestVertex(const Point3 &sample, VertexId hint = noVertex) const;
+
+    /// Step 2: the winner, by the rules. The hint as above.
+    VertexId findWinner(const Point3 &sample, VertexId hint = noVertex) const;
 
     /// The point of the mesh nearest to the sample, given its winner. Looks at the winner's star
     /// and at those of other vertices near the sample: where two sheets run close to each other,
@@ -64,9 +70,12 @@ public:
     /// their tangent planes (equations 3 to 5).
     void adapt(VertexId winner, const Point3 &sample);
 
-    /// Step 4: counts the signal for the winner and decays all counters (equations 6 and 7). In the
-    /// paper every signal counts 1.
-    void countSignal(VertexId winner, double amount = 1);
+    /// Step 4: counts the signal for the winner, by the rules, and decays all counters (equations 6
+    /// and 7).
+    void countSignal(VertexId winner, const Point3 &sample);
+
+    /// Step 5: λ, the signals for each split, by the rules.
+    int signalsPerSplit() const;
 
     /// Step 5: splits the vertex with the highest counter along its longest edge.
     VertexId splitMostActive();
@@ -105,6 +114,7 @@ private:
     void smoothNeighbours(VertexId winner);
     Neighbourhood neighbourhood(VertexId v) const;
     void shareCounter(VertexId v, VertexId w);
+    double activity(VertexId winner, const Point3 &sample);
     Scalar voronoiArea(VertexId v) const;
     bool isInactive(VertexId v) const;
     void judgeOpenness(const SampleSupport &support);
@@ -115,15 +125,16 @@ private:
     void updateDecay();
 
     GrowthParameters parameters_;
+    LearningRules rules_;
     NeuralMesh &mesh_;
     VertexGrid grid_;
     SignalCounters counters_;
+    SignalActivity activity_;
     VertexData<std::uint64_t> lastWin_;   ///< signals_ when the vertex last won or was made
     std::vector<Neighbourhood> smoothed_; ///< scratch of smoothNeighbours()
     double decayPerSignal_ = 1;
     std::uint64_t signals_ = 0;
     std::uint64_t lastCollapse_ = 0;
-    VertexId lastWinner_ = noVertex;
     bool isJudged_ = false; ///< whether isOpen_ is known
     bool isOpen_ = false;
 };

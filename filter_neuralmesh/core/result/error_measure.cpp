@@ -23,7 +23,7 @@ double squaredDistance(const NeuralMesh &mesh, VertexId winner, const Point3 &sa
 
 } // namespace
 
-ErrorFigures measureError(GrowingNetwork &network, const Sampler &sampler, Random &random,
+ErrorFigures measureError(const GrowingNetwork &network, const Sampler &sampler, Random &random,
                           std::size_t samplesPerVertex)
 {
     std::vector<Point3> samples;
@@ -32,8 +32,10 @@ ErrorFigures measureError(GrowingNetwork &network, const Sampler &sampler, Rando
     MortonOrder(sampler.bounds()).sort(samples);
     double sum = 0;
     double largest = 0;
+    VertexId nearest = noVertex;
     for (const Point3 &sample : samples) {
-        const double squared = squaredDistance(network.mesh(), network.findWinner(sample), sample);
+        nearest = network.nearestVertex(sample, nearest);
+        const double squared = squaredDistance(network.mesh(), nearest, sample);
         sum += squared;
         largest = std::max(largest, squared);
     }

@@ -15,7 +15,7 @@ struct ErrorFigures {
 
 /// Draws `samplesPerVertex` samples for each vertex and takes their distances from the faces around
 /// the nearest vertex and its neighbours.
-ErrorFigures measureError(GrowingNetwork &network, const Sampler &sampler, Random &random,
+ErrorFigures measureError(const GrowingNetwork &network, const Sampler &sampler, Random &random,
                           std::size_t samplesPerVertex);
 
 } // namespace neuralmesh

@@ -7,13 +7,13 @@
 
 namespace neuralmesh {
 
+/// Decides between two sets of rules, of which the split is one: core/network/learning_rules.h has
+/// them side by side.
 enum class SplitRule {
-    /// Of all splits along the longest edge, the one that leaves the evenest valences; counters
-    /// weigh signals by their distance to the surface, the first vertices are split at half λ, the
-    /// winner is on the sheet nearest to the sample, and whole webs are taken out.
+    /// Of all splits along the longest edge, the one that leaves the evenest valences, and what
+    /// else measured better than the paper's rules.
     balanced,
-    /// The split that halves the star, counters that count signals, λ throughout, and the nearest
-    /// vertex as the winner, as in the paper.
+    /// The split that halves the star, and all other rules as in the paper.
     paper
 };
 

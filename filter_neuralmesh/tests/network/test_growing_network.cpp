@@ -67,9 +67,9 @@ TEST(GrowingNetwork, the_most_active_vertex_is_split_at_the_middle_of_its_longes
     test::makeOctahedron(mesh);
     mesh.position(2) = {0, 3, 0};
     GrowingNetwork network(mesh, boundsOf(mesh), {});
-    network.countSignal(1);
-    network.countSignal(0);
-    network.countSignal(0);
+    network.countSignal(1, mesh.position(1));
+    network.countSignal(0, mesh.position(0));
+    network.countSignal(0, mesh.position(0));
     const VertexId w = network.splitMostActive();
     validate(mesh);
     EXPECT_EQ(network.vertexCount(), 7);
@@ -88,7 +88,7 @@ TEST(GrowingNetwork, removes_just_the_vertices_that_stopped_winning)
     for (int round = 0; round < 3; ++round)
         for (VertexId v = 0; v < 36; ++v)
             if (v != 8 && v != 21)
-                network.countSignal(v);
+                network.countSignal(v, mesh.position(v));
     ASSERT_TRUE(network.collapseIsDue());
     EXPECT_EQ(network.collapseInactive(supportAtMiddles(mesh)), 2);
     validate(mesh);
@@ -105,7 +105,7 @@ TEST(GrowingNetwork, never_collapses_below_a_tetrahedron)
     makeTetrahedron(mesh, {0, 0, 0}, 1);
     GrowingNetwork network(mesh, boundsOf(mesh), {});
     for (int i = 0; i < 1000; ++i)
-        network.countSignal(0);
+        network.countSignal(0, mesh.position(0));
     EXPECT_EQ(network.collapseInactive(supportAtMiddles(mesh)), 0);
     EXPECT_EQ(network.vertexCount(), 4);
 }
