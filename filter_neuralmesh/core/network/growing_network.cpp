@@ -89,6 +89,17 @@ StarProjection GrowingNetwork::project(VertexId winner, const Point3 &sample) co
     return best;
 }
 
+StarProjection GrowingNetwork::projectExactly(VertexId winner, const Point3 &sample) const
+{
+    StarProjection best = project(winner, sample);
+    for (const VertexId v : mesh_.ring(winner)) {
+        const StarProjection p = projectOnStar(mesh_, v, sample);
+        if (p.squaredDistance < best.squaredDistance)
+            best = p;
+    }
+    return best;
+}
+
 void GrowingNetwork::moveVertex(VertexId v, const Point3 &position)
 {
     mesh_.position(v) = position;

@@ -47,6 +47,10 @@ public:
     /// the nearest vertex may lie on one and the nearest face on the other.
     StarProjection project(VertexId winner, const Point3 &sample) const;
 
+    /// The same to the last place: also looks at the stars of the winner's neighbours, which seldom
+    /// hold a nearer face than its own. For measuring.
+    StarProjection projectExactly(VertexId winner, const Point3 &sample) const;
+
     /// Unit normal of a vertex, outwards: the sum of its faces' normals, weighted by area. Zero
     /// where the star has no area.
     Point3 normal(VertexId v) const;

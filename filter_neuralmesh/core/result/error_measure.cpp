@@ -5,23 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/network/star_projection.h"
 #include "core/space/morton_order.h"
 
 namespace neuralmesh {
-namespace {
-
-/// Looks at the stars of the winner and of its neighbours: the nearest vertex need not be a corner
-/// of the nearest face.
-double squaredDistance(const NeuralMesh &mesh, VertexId winner, const Point3 &sample)
-{
-    double least = projectOnStar(mesh, winner, sample).squaredDistance;
-    for (const VertexId v : mesh.ring(winner))
-        least = std::min(least, projectOnStar(mesh, v, sample).squaredDistance);
-    return least;
-}
-
-} // namespace
 
 ErrorFigures measureError(const GrowingNetwork &network, const Sampler &sampler, Random &random,
                           std::size_t samplesPerVertex)
@@ -35,7 +21,7 @@ ErrorFigures measureError(const GrowingNetwork &network, const Sampler &sampler,
     VertexId nearest = noVertex;
     for (const Point3 &sample : samples) {
         nearest = network.nearestVertex(sample, nearest);
-        const double squared = squaredDistance(network.mesh(), nearest, sample);
+        const double squared = network.projectExactly(nearest, sample).squaredDistance;
         sum += squared;
         largest = std::max(largest, squared);
     }

@@ -13,8 +13,8 @@ struct ErrorFigures {
     double largest = 0;
 };
 
-/// Draws `samplesPerVertex` samples for each vertex and takes their distances from the faces around
-/// the nearest vertex and its neighbours.
+/// Draws `samplesPerVertex` samples for each vertex and takes their distances from the nearest
+/// face, as the fit does.
 ErrorFigures measureError(const GrowingNetwork &network, const Sampler &sampler, Random &random,
                           std::size_t samplesPerVertex);
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/result/error_measure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/mesh/enumeration.h"
+#include "tests/meshes_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+/// Points of the unit frame, drawn at random.
+class FixedPoints : public Sampler {
+public:
+    explicit FixedPoints(std::vector<Point3> points) : points_(std::move(points))
+    {
+        for (const Point3 &point : points_)
+            bounds_.Add(point);
+    }
+
+    const UnitFrame &frame() const override { return frame_; }
+    Box3 bounds() const override { return bounds_; }
+    void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const override
+    {
+        samples.resize(count);
+        for (Point3 &sample : samples)
+            sample = points_[random.below(points_.size())];
+    }
+
+private:
+    UnitFrame frame_;
+    Box3 bounds_;
+    std::vector<Point3> points_;
+};
+
+/// A torus of flat section, whose upper and lower sheet are closer to each other than the vertices,
+/// and those of one lie over the middles of the other's faces.
+void makeFlatTorus(NeuralMesh &mesh, VertexId major, VertexId minor)
+{
+    test::makeTorus(mesh, major, minor);
+    forEachVertex(mesh, [&](VertexId v) {
+        const double a = 2 * M_PI * (v / minor) / major;
+        const double b = 2 * M_PI * (v % minor + 0.25) / minor;
+        mesh.position(v) = {(2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a),
+                            0.05 * std::sin(b)};
+    });
+}
+
+TEST(ErrorMeasure, finds_the_nearest_face_where_the_nearest_vertex_is_of_another_sheet)
+{
+    NeuralMesh mesh;
+    makeFlatTorus(mesh, 24, 10);
+    std::vector<Point3> onFaces;
+    forEachFace(mesh, [&](VertexId a, VertexId b, VertexId c) {
+        onFaces.push_back((mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3);
+    });
+    const FixedPoints sampler(onFaces);
+    const GrowingNetwork network(mesh, sampler.bounds(), GrowthParameters{});
+    int onOtherSheet = 0;
+    for (const Point3 &point : onFaces) {
+        const Point3 nearest = mesh.position(network.nearestVertex(point));
+        onOtherSheet += nearest.Z() * point.Z() < 0 ? 1 : 0;
+    }
+    ASSERT_GT(onOtherSheet, 20);
+    Random random(1);
+    const ErrorFigures error = measureError(network, sampler, random, 10);
+    EXPECT_LT(error.largest, 1e-12);
+    EXPECT_LT(error.rms, 1e-12);
+}
+
+} // namespace
+} // namespace neuralmesh
