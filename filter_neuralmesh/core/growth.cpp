@@ -12,6 +12,7 @@
 #include "core/mesh/vertex_data.h"
 #include "core/network/growing_network.h"
 #include "core/network/learning_rules.h"
+#include "core/random_streams.h"
 #include "core/result/error_measure.h"
 #include "core/space/morton_order.h"
 #include "core/topology/starting_mesh.h"
@@ -65,7 +66,8 @@ public:
     Growth(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
            Random &random, const Progress &progress, const SnapshotTaker &takeSnapshot)
         : parameters_(parameters), sampler_(sampler), progress_(progress),
-          takeSnapshot_(takeSnapshot), random_(random), measuring_(parameters.seed + 1),
+          takeSnapshot_(takeSnapshot), random_(random),
+          measuring_(randomStream(parameters.seed, Purpose::measuring)),
           network_(mesh, sampler.bounds(), parameters), order_(sampler.bounds())
     {
     }
@@ -218,7 +220,7 @@ private:
         GrowthParameters parameters = parameters_;
         parameters.targetVertexCount = snapshot.vn;
         parameters.snapshots.clear();
-        Random random(parameters_.seed + 1 + snapshotsTaken_);
+        Random random = randomStream(parameters_.seed, Purpose::snapshot, snapshotsTaken_);
         const Progress progress = [&](double, const char *) {
             reportProgress();
             return true;
@@ -315,7 +317,7 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
 {
     parameters.validate();
     requireEnoughPoints(sampler, parameters.targetVertexCount);
-    Random random(parameters.seed);
+    Random random = randomStream(parameters.seed, Purpose::growth);
     if (parameters.startMesh != StartMesh::given) {
         std::vector<Point3> samples;
         sampler.draw(random, startingSamples, samples);

@@ -12,6 +12,7 @@
 #include "core/network/edge_flips.h"
 #include "core/network/regular_collapses.h"
 #include "core/network/valences.h"
+#include "core/nth_root.h"
 #include "core/topology/tear_mending.h"
 #include "core/topology/unsupported_edges.h"
 #include "core/topology/web_removal.h"
@@ -366,7 +367,7 @@ void GrowingNetwork::vertexRemoved(VertexId v)
 
 void GrowingNetwork::updateDecay()
 {
-    decayPerSignal_ = std::pow(parameters_.counterDecay, 1.0 / vertexCount());
+    decayPerSignal_ = nthRoot(parameters_.counterDecay, vertexCount());
 }
 
 } // namespace neuralmesh

@@ -16,6 +16,7 @@ public:
 
 private:
     double meanRoughness_ = 0;
+    bool hasMean_ = false;
 };
 
 } // namespace neuralmesh

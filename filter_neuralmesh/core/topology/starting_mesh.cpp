@@ -24,16 +24,24 @@ void makeOctahedron(NeuralMesh &mesh, Scalar r)
                   {{0, 3, 5}}});
 }
 
-/// Poles, and two rings of five corners between them, the lower turned by half a step.
+/// Poles, and two rings of five corners between them, the lower turned by half a step. Cosines and
+/// sines of multiples of 36 degrees are roots: the C library's differ from place to place.
 void makeIcosahedron(NeuralMesh &mesh, Scalar r)
 {
-    const Scalar height = r / std::sqrt(Scalar(5));
+    const Scalar root = std::sqrt(Scalar(5));
+    const Scalar height = r / root;
+    const Scalar cosines[] = {1, (1 + root) / 4, (root - 1) / 4, (1 - root) / 4, -(1 + root) / 4};
+    const Scalar sineOf36 = std::sqrt(10 - 2 * root) / 4;
+    const Scalar sineOf72 = std::sqrt(10 + 2 * root) / 4;
+    const Scalar sines[] = {0, sineOf36, sineOf72, sineOf72, sineOf36};
     std::vector<Point3> points{{0, 0, r}, {0, 0, -r}};
     std::vector<Corners> faces;
     for (VertexId i = 0; i < 5; ++i)
         for (const int lower : {0, 1}) {
-            const Scalar angle = (2 * i + lower) * Scalar(M_PI) / 5;
-            points.emplace_back(2 * height * std::cos(angle), 2 * height * std::sin(angle),
+            const auto steps = 2 * i + static_cast<VertexId>(lower);
+            const Scalar halfTurn = steps < 5 ? 1 : -1;
+            points.emplace_back(2 * height * halfTurn * cosines[steps % 5],
+                                2 * height * halfTurn * sines[steps % 5],
                                 lower == 1 ? -height : height);
         }
     for (VertexId i = 0; i < 5; ++i) {
