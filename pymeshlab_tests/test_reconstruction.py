@@ -28,6 +28,7 @@ RESULT_TYPES = {
     "genus": int,
     "components": int,
     "boundary_loops": int,
+    "self_intersections": int,
     "splits": int,
     "collapses": int,
     "seed": int,

@@ -91,11 +91,10 @@ public:
         takeSnapshotIfDue();
         growToTarget();
         consolidate();
-        if (parameters_.surfaceFit)
-            fitSurface(network_, sampler_, random_, [&](double fraction, const char *activity) {
-                report(progress_, shareOfGrowth + (1 - shareOfGrowth) * fraction, activity);
-                return true;
-            });
+        report_.splitCount = network_.verticesAdded();
+        report_.collapseCount = network_.verticesRemoved();
+        report_.selfIntersections =
+            parameters_.surfaceFit ? fit() : network_.findSelfIntersections().faces;
         const ErrorFigures error =
             measureError(network_, sampler_, measuring_, samplesPerErrorMeasure);
         report_.rmsError = error.rms;
@@ -129,12 +128,20 @@ private:
     {
         for (int round = 0; round < consolidationRounds && !isCrowded_; ++round) {
             const std::vector<VertexId> idle = idleVertices();
-            report_.collapseCount +=
-                static_cast<std::uint64_t>(network_.collapse(idle, supportOfBatch()));
+            network_.collapse(idle, supportOfBatch());
             if (isComplete())
                 return;
             growToTarget();
         }
+    }
+
+    /// Returns how many faces intersect another.
+    int fit()
+    {
+        return fitSurface(network_, sampler_, random_, [&](double fraction, const char *activity) {
+            report(progress_, shareOfGrowth + (1 - shareOfGrowth) * fraction, activity);
+            return true;
+        });
     }
 
     std::vector<VertexId> idleVertices()
@@ -192,7 +199,6 @@ private:
             if (isComplete())
                 return;
             network_.splitMostActive();
-            ++report_.splitCount;
             noteConvergence();
             takeSnapshotIfDue();
         }
@@ -241,8 +247,7 @@ private:
     {
         const int perVertex = LearningRules::of(parameters_.splitRule).supportPerVertex;
         drawBatch(static_cast<std::size_t>(perVertex * network_.vertexCount()));
-        report_.collapseCount +=
-            static_cast<std::uint64_t>(network_.collapseInactive(supportOfBatch()));
+        network_.collapseInactive(supportOfBatch());
     }
 
     SampleSupport supportOfBatch() const

@@ -16,9 +16,10 @@
 namespace neuralmesh {
 
 struct GrowthReport {
-    std::uint64_t signalCount = 0; // not "signals", which is a macro of Qt
-    std::uint64_t splitCount = 0;
-    std::uint64_t collapseCount = 0;
+    std::uint64_t signalCount = 0;   // not "signals", which is a macro of Qt
+    std::uint64_t splitCount = 0;    ///< vertices that came, those of cut handles among them
+    std::uint64_t collapseCount = 0; ///< vertices that went, those of webs among them
+    int selfIntersections = 0;       ///< faces of the result that intersect another
     bool reachedTarget = false;
     bool keptIdle = false; ///< vertices that win no sample, for want of points
     /// Distances of fresh samples from the result, in the unit frame.

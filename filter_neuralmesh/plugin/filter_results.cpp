@@ -29,6 +29,7 @@ std::map<std::string, QVariant> resultValues(const Reconstruction &result)
             {"boundary_loops", 0}, // closed by construction: rings have no ends
             {"splits", static_cast<int>(result.growth.splitCount)},
             {"collapses", static_cast<int>(result.growth.collapseCount)},
+            {"self_intersections", result.growth.selfIntersections},
             {"seed", static_cast<int>(result.seed)},
             {"signals", static_cast<double>(result.growth.signalCount)},
             {"seconds", result.seconds},
@@ -55,5 +56,9 @@ std::string summary(const Reconstruction &result)
         text += " To reach TargetVertNum, vertices were kept that are nearest to no sample. Either "
                 "the target is close to the number of points, or InactivityFactor or "
                 "SignalsPerSplit is too low.";
+    if (result.growth.selfIntersections > 0)
+        text += " " + std::to_string(result.growth.selfIntersections) +
+                " faces intersect another. Where walls are closer to each other than the vertices, "
+                "a higher TargetVertNum parts them.";
     return text;
 }

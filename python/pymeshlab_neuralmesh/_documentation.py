@@ -17,9 +17,9 @@ from pymeshlab import MeshSet
 RETURNS = """Returns
 -------
 A dictionary with the figures of the result, which is the new current layer: `vertices`, `faces`,
-`genus`, `components`, `boundary_loops`, `splits`, `collapses`, `seed` (int), `signals`, `seconds`,
-`rms_error`, `max_error` (float; errors in units of the input), `reached_target` (bool),
-`valence_histogram`, `convergence` (arrays).
+`genus`, `components`, `boundary_loops`, `self_intersections`, `splits`, `collapses`, `seed` (int),
+`signals`, `seconds`, `rms_error`, `max_error` (float; errors in units of the input),
+`reached_target` (bool), `valence_histogram`, `convergence` (arrays).
 
 Raises
 ------

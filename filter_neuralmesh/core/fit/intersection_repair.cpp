@@ -25,15 +25,15 @@ public:
     }
 
 private:
-    /// Returns how many vertices of intersecting faces are left.
+    /// Returns how many faces that intersect another are left.
     template <class Move> int repeat(int rounds, Move move)
     {
         moved_.reset();
         for (int round = 0;; ++round) {
-            const std::vector<VertexId> corners = network_.findIntersectingVertices();
-            if (corners.empty() || round == rounds)
-                return static_cast<int>(corners.size());
-            for (const VertexId v : corners) {
+            const SelfIntersections found = network_.findSelfIntersections();
+            if (found.faces == 0 || round == rounds)
+                return found.faces;
+            for (const VertexId v : found.corners) {
                 move(v);
                 if (++moved_[v] > timesAlone)
                     for (const VertexId u : mesh_.ring(v))

@@ -12,7 +12,7 @@ namespace neuralmesh {
 /// one pull at faces of the other. What intersected there too is smoothed: its vertices go half-way
 /// to the middle of their neighbours, and later those around them. Connectivity stays.
 ///
-/// Returns how many vertices still belong to intersecting faces.
+/// Returns how many faces still intersect another.
 int repairIntersections(GrowingNetwork &network, const VertexData<Point3> &before);
 
 } // namespace neuralmesh

@@ -313,8 +313,8 @@ private:
 
 } // namespace
 
-void fitSurface(GrowingNetwork &network, const Sampler &sampler, Random &random,
-                const Progress &progress)
+int fitSurface(GrowingNetwork &network, const Sampler &sampler, Random &random,
+               const Progress &progress)
 {
     SurfaceFit fit(network, sampler, random);
     Scalar done = 0;
@@ -323,7 +323,7 @@ void fitSurface(GrowingNetwork &network, const Sampler &sampler, Random &random,
         fit.sweep(step, static_cast<int>(done));
         ++done;
     }
-    repairIntersections(network, fit.start());
+    return repairIntersections(network, fit.start());
 }
 
 } // namespace neuralmesh

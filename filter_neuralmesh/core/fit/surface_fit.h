@@ -25,7 +25,8 @@ namespace neuralmesh {
 /// that evens out valences.
 ///
 /// No face turns over, and vertices of faces that come to intersect go back to where they were.
-void fitSurface(GrowingNetwork &network, const Sampler &sampler, Random &random,
-                const Progress &progress);
+/// Returns how many faces intersect another in spite of that.
+int fitSurface(GrowingNetwork &network, const Sampler &sampler, Random &random,
+               const Progress &progress);
 
 } // namespace neuralmesh

@@ -9,18 +9,20 @@
 
 namespace neuralmesh {
 
-std::vector<VertexId> findIntersectingVertices(NeuralMesh &mesh)
+SelfIntersections findSelfIntersections(NeuralMesh &mesh)
 {
     rebuildFaces(mesh);
     std::vector<NeuralFace *> faces;
     vcg::tri::Clean<NeuralMesh>::SelfIntersections(mesh, faces);
-    std::vector<VertexId> corners;
+    SelfIntersections found;
+    found.faces = static_cast<int>(faces.size());
+    std::vector<VertexId> &corners = found.corners;
     for (const NeuralFace *face : faces)
         for (int corner = 0; corner < 3; ++corner)
             corners.push_back(static_cast<VertexId>(vcg::tri::Index(mesh, face->cV(corner))));
     std::sort(corners.begin(), corners.end());
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    return corners;
+    return found;
 }
 
 } // namespace neuralmesh

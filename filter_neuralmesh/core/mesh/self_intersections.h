@@ -7,8 +7,13 @@
 
 namespace neuralmesh {
 
-/// The corners of all faces that intersect another, ascending. Makes the mesh's faces anew and asks
-/// VCG, which tests the faces that share a cell of a grid with each other.
-std::vector<VertexId> findIntersectingVertices(NeuralMesh &mesh);
+struct SelfIntersections {
+    int faces = 0;                 ///< that intersect another
+    std::vector<VertexId> corners; ///< of these, ascending
+};
+
+/// Makes the mesh's faces anew and asks VCG, which tests the faces that share a cell of a grid with
+/// each other.
+SelfIntersections findSelfIntersections(NeuralMesh &mesh);
 
 } // namespace neuralmesh

@@ -54,7 +54,7 @@ GrowingNetwork::GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
     : parameters_(parameters), rules_(LearningRules::of(parameters.splitRule)), mesh_(startingMesh),
       grid_(bounds), lastWin_(startingMesh)
 {
-    forEachVertex(mesh_, [&](VertexId v) { vertexAdded(v); });
+    forEachVertex(mesh_, [&](VertexId v) { enrol(v); });
     mesh_.follow(*this);
     updateDecay();
 }
@@ -107,9 +107,9 @@ void GrowingNetwork::moveVertex(VertexId v, const Point3 &position)
     grid_.move(v, position);
 }
 
-std::vector<VertexId> GrowingNetwork::findIntersectingVertices()
+SelfIntersections GrowingNetwork::findSelfIntersections()
 {
-    return neuralmesh::findIntersectingVertices(mesh_);
+    return neuralmesh::findSelfIntersections(mesh_);
 }
 
 void GrowingNetwork::evenValences()
@@ -301,7 +301,7 @@ bool GrowingNetwork::isInactive(VertexId v) const
     return signals_ - lastWin_[v] >= inactivityWindow();
 }
 
-int GrowingNetwork::collapseInactive(const SampleSupport &support)
+void GrowingNetwork::collapseInactive(const SampleSupport &support)
 {
     lastCollapse_ = signals_;
     std::vector<VertexId> inactive;
@@ -309,12 +309,11 @@ int GrowingNetwork::collapseInactive(const SampleSupport &support)
         if (isInactive(v))
             inactive.push_back(v);
     });
-    return collapse(inactive, support);
+    collapse(inactive, support);
 }
 
-int GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const SampleSupport &support)
+void GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const SampleSupport &support)
 {
-    const int before = vertexCount();
     judgeOpenness(support);
     for (const VertexId v : vertices)
         if (const VertexId into = bestCollapse(mesh_, v); into != noVertex)
@@ -327,7 +326,6 @@ int GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const Sample
         }
     }
     updateDecay();
-    return before - vertexCount();
 }
 
 /// Once. Webs of an open surface are its closing sheet, and would be laid onto its other side.
@@ -354,6 +352,12 @@ void GrowingNetwork::mendTears(const SampleSupport &support)
 
 void GrowingNetwork::vertexAdded(VertexId v)
 {
+    ++added_;
+    enrol(v);
+}
+
+void GrowingNetwork::enrol(VertexId v)
+{
     grid_.insert(v, mesh_.position(v));
     counters_.insert(v, 0);
     lastWin_[v] = signals_;
@@ -361,6 +365,7 @@ void GrowingNetwork::vertexAdded(VertexId v)
 
 void GrowingNetwork::vertexRemoved(VertexId v)
 {
+    ++removed_;
     grid_.erase(v);
     counters_.erase(v);
 }

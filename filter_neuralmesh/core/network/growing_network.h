@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
+#include "core/mesh/self_intersections.h"
 #include "core/mesh/vertex_data.h"
 #include "core/network/learning_rules.h"
 #include "core/network/signal_activity.h"
@@ -34,6 +35,10 @@ public:
     int vertexCount() const { return mesh_.vn; }
     /// Signals counted so far.
     std::uint64_t signals() const { return signals_; }
+    /// Vertices that came so far: by splits, and where a handle was cut.
+    std::uint64_t verticesAdded() const { return added_; }
+    /// Vertices that went so far: by collapses, and with the webs that were taken out.
+    std::uint64_t verticesRemoved() const { return removed_; }
 
     /// The vertex nearest to the sample. The hint, any vertex that may be near, such as the one
     /// nearest to the last sample, saves time and changes nothing.
@@ -58,8 +63,8 @@ public:
     /// Moves a vertex to another place.
     void moveVertex(VertexId v, const Point3 &position);
 
-    /// The corners of all faces that intersect another.
-    std::vector<VertexId> findIntersectingVertices();
+    /// Makes the mesh's faces anew.
+    SelfIntersections findSelfIntersections();
 
     /// Flips edges all over the mesh where that evens out the valences or widens angles.
     void evenValences();
@@ -86,12 +91,11 @@ public:
 
     /// Step 6: removes every vertex that has not won in the last μ·n signals by the edge collapse
     /// with the least regularity error (equation 9). A vertex none of whose edges may collapse
-    /// stays. Returns how many were removed.
-    int collapseInactive(const SampleSupport &support);
+    /// stays.
+    void collapseInactive(const SampleSupport &support);
 
-    /// Removes these vertices in the same way, then the webs that this leaves. Returns how many
-    /// vertices fewer there are.
-    int collapse(const std::vector<VertexId> &vertices, const SampleSupport &support);
+    /// Removes these vertices in the same way, then the webs that this leaves.
+    void collapse(const std::vector<VertexId> &vertices, const SampleSupport &support);
 
     /// μ·n signals: a vertex that wins none of so many is inactive.
     std::uint64_t inactivityWindow() const;
@@ -126,6 +130,7 @@ private:
     void mendTears(const SampleSupport &support);
     void vertexAdded(VertexId v) override;
     void vertexRemoved(VertexId v) override;
+    void enrol(VertexId v);
     void updateDecay();
 
     GrowthParameters parameters_;
@@ -139,6 +144,8 @@ private:
     double decayPerSignal_ = 1;
     std::uint64_t signals_ = 0;
     std::uint64_t lastCollapse_ = 0;
+    std::uint64_t added_ = 0;
+    std::uint64_t removed_ = 0;
     bool isJudged_ = false; ///< whether isOpen_ is known
     bool isOpen_ = false;
 };

@@ -30,9 +30,9 @@ TEST(IntersectionRepair, a_vertex_pushed_through_the_opposite_wall_comes_back)
     VertexData<Point3> before(mesh);
     keepPositions(mesh, before);
     network.moveVertex(0, before[0] - Point3(2.5, 0, 0)); // from the outside through the tube
-    ASSERT_FALSE(network.findIntersectingVertices().empty());
+    ASSERT_FALSE(network.findSelfIntersections().corners.empty());
     EXPECT_EQ(repairIntersections(network, before), 0);
-    EXPECT_TRUE(network.findIntersectingVertices().empty());
+    EXPECT_TRUE(network.findSelfIntersections().corners.empty());
     forEachVertex(mesh, [&](VertexId v) {
         EXPECT_TRUE(v == 0 || mesh.position(v) == before[v]) << v; // the wall was sound
     });
@@ -47,7 +47,34 @@ TEST(IntersectionRepair, what_intersected_before_too_is_smoothed)
     VertexData<Point3> before(mesh);
     keepPositions(mesh, before);
     EXPECT_EQ(repairIntersections(network, before), 0);
-    EXPECT_TRUE(network.findIntersectingVertices().empty());
+    EXPECT_TRUE(network.findSelfIntersections().corners.empty());
+}
+
+TEST(IntersectionRepair, says_how_much_it_could_not_repair)
+{
+    // Two octahedra with one centre stay in each other, whichever way they are smoothed.
+    NeuralMesh one;
+    test::makeOctahedron(one);
+    std::vector<Point3> points;
+    std::vector<test::Triangle> faces;
+    for (const VertexId k : {0U, 1U}) {
+        for (const NeuralVertex &vertex : one.vert)
+            points.push_back(k == 0 ? vertex.cP()
+                                    : Point3(vertex.cP().X() - vertex.cP().Y(),
+                                             vertex.cP().X() + vertex.cP().Y(), vertex.cP().Z()) *
+                                          0.8);
+        forEachFace(one, [&](VertexId a, VertexId b, VertexId c) {
+            faces.push_back({a + 6 * k, b + 6 * k, c + 6 * k});
+        });
+    }
+    NeuralMesh mesh;
+    test::makeMesh(mesh, points, faces);
+    GrowingNetwork network(mesh, wideBounds(), GrowthParameters{});
+    VertexData<Point3> before(mesh);
+    keepPositions(mesh, before);
+    const int left = repairIntersections(network, before);
+    EXPECT_GT(left, 0);
+    EXPECT_EQ(left, network.findSelfIntersections().faces);
 }
 
 TEST(IntersectionRepair, a_sound_mesh_stays_as_it_is)

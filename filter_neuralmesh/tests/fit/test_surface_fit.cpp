@@ -73,7 +73,7 @@ TEST(SurfaceFit, makes_a_sphere_several_times_more_accurate)
     const double before = rmsWithFit(false, points, points, grown);
     const double after = rmsWithFit(true, points, points, fitted);
     EXPECT_LT(after, before / 3);
-    EXPECT_TRUE(findIntersectingVertices(fitted).empty());
+    EXPECT_TRUE(findSelfIntersections(fitted).corners.empty());
 }
 
 TEST(SurfaceFit, brings_vertices_onto_creases)
@@ -86,7 +86,7 @@ TEST(SurfaceFit, brings_vertices_onto_creases)
     // In units of half the cube's edge, 1 / sqrt(12) diagonals: within a hundredth of an edge of
     // the mesh, which is 0.11 long there.
     EXPECT_LT(after * std::sqrt(12.0), 0.011);
-    EXPECT_TRUE(findIntersectingVertices(fitted).empty());
+    EXPECT_TRUE(findSelfIntersections(fitted).corners.empty());
 }
 
 TEST(SurfaceFit, is_nearer_to_the_truth_than_the_noise_of_its_points)
@@ -170,9 +170,9 @@ TEST(SurfaceFit, finds_the_corners_of_faces_that_intersect)
 {
     NeuralMesh mesh;
     test::makeTorus(mesh, 12, 8);
-    EXPECT_TRUE(findIntersectingVertices(mesh).empty());
+    EXPECT_TRUE(findSelfIntersections(mesh).corners.empty());
     mesh.position(3) = mesh.position(3) + Point3(-5, 0, 0); // through the tube and beyond the hole
-    EXPECT_FALSE(findIntersectingVertices(mesh).empty());
+    EXPECT_FALSE(findSelfIntersections(mesh).corners.empty());
 }
 
 } // namespace

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_checks.h"
+#include "core/mesh/ring_surgery.h"
+#include "core/mesh/ring_topology.h"
 #include "tests/meshes_for_tests.h"
 
 namespace neuralmesh {
@@ -90,7 +92,8 @@ TEST(GrowingNetwork, removes_just_the_vertices_that_stopped_winning)
             if (v != 8 && v != 21)
                 network.countSignal(v, mesh.position(v));
     ASSERT_TRUE(network.collapseIsDue());
-    EXPECT_EQ(network.collapseInactive(supportAtMiddles(mesh)), 2);
+    network.collapseInactive(supportAtMiddles(mesh));
+    EXPECT_EQ(network.verticesRemoved(), 2U);
     validate(mesh);
     EXPECT_FALSE(mesh.isLive(8));
     EXPECT_FALSE(mesh.isLive(21));
@@ -106,8 +109,25 @@ TEST(GrowingNetwork, never_collapses_below_a_tetrahedron)
     GrowingNetwork network(mesh, boundsOf(mesh), {});
     for (int i = 0; i < 1000; ++i)
         network.countSignal(0, mesh.position(0));
-    EXPECT_EQ(network.collapseInactive(supportAtMiddles(mesh)), 0);
+    network.collapseInactive(supportAtMiddles(mesh));
     EXPECT_EQ(network.vertexCount(), 4);
+}
+
+TEST(GrowingNetwork, counts_vertices_that_come_apart_from_those_that_go)
+{
+    // A change that cuts a handle adds more vertices than it removes.
+    NeuralMesh mesh;
+    test::makeTorus(mesh, 6, 6);
+    GrowingNetwork network(mesh, boundsOf(mesh), {});
+    network.collapse({8}, supportAtMiddles(mesh));
+    const std::vector<VertexId> loop{24, 25, 26, 27, 28, 29}; // round the tube
+    const std::vector<LoopTriangle> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
+    refillDisc(mesh, cutOpen(mesh, loop), {}, fan);
+    refillDisc(mesh, {loop.rbegin(), loop.rend()}, {}, fan);
+    validate(mesh);
+    EXPECT_EQ(network.verticesRemoved(), 1U);
+    EXPECT_EQ(network.verticesAdded(), 6U);
+    EXPECT_EQ(network.vertexCount(), 36 - 1 + 6);
 }
 
 /// Whether a torus of 1,000 vertices is taken for an open surface when there are samples where x is
