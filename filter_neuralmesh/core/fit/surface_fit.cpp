@@ -72,12 +72,13 @@ struct Accumulator {
 
 /// What the neighbours say of one vertex.
 struct Surroundings {
-    Eigen::Vector3d normal;
-    Eigen::Vector3d toCentre; ///< from the vertex to the mean of its neighbours
-    double meanEdge;
-    double sliver;          ///< cosine of the smallest angle of its faces
-    double bending;         ///< its height below that mean, less the same of its neighbours
-    double bendingVariance; ///< mean square of the bending around it
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    /// From the vertex to the mean of its neighbours.
+    Eigen::Vector3d toCentre = Eigen::Vector3d::Zero();
+    double meanEdge = 0;
+    double sliver = 0;          ///< cosine of the smallest angle of its faces
+    double bending = 0;         ///< its height below that mean, less the same of its neighbours
+    double bendingVariance = 0; ///< mean square of the bending around it
 };
 
 class SurfaceFit {
@@ -189,10 +190,9 @@ private:
     Surroundings surroundings(VertexId v) const
     {
         const Point3 &centre = mesh_.position(v);
-        Surroundings s{};
+        Surroundings s;
         s.normal = toEigen(network_.normal(v));
         s.meanEdge = meanEdge(mesh_, v);
-        s.toCentre.setZero();
         for (const VertexId u : mesh_.ring(v))
             s.toCentre += toEigen(mesh_.position(u) - centre) / mesh_.valence(v);
         forEachFaceAround(mesh_, v, [&](VertexId a, VertexId b) {
