@@ -52,19 +52,17 @@ TEST(IntersectionRepair, what_intersected_before_too_is_smoothed)
 
 TEST(IntersectionRepair, says_how_much_it_could_not_repair)
 {
-    // Two octahedra with one centre stay in each other, whichever way they are smoothed.
+    // Two tori through each other, which no smoothing of some vertices parts.
     NeuralMesh one;
-    test::makeOctahedron(one);
+    test::makeTorus(one, 24, 12);
     std::vector<Point3> points;
     std::vector<test::Triangle> faces;
     for (const VertexId k : {0U, 1U}) {
         for (const NeuralVertex &vertex : one.vert)
-            points.push_back(k == 0 ? vertex.cP()
-                                    : Point3(vertex.cP().X() - vertex.cP().Y(),
-                                             vertex.cP().X() + vertex.cP().Y(), vertex.cP().Z()) *
-                                          0.8);
+            points.push_back(vertex.cP() + Point3(k, 0, 0));
         forEachFace(one, [&](VertexId a, VertexId b, VertexId c) {
-            faces.push_back({a + 6 * k, b + 6 * k, c + 6 * k});
+            const VertexId first = k * one.idBound();
+            faces.push_back({a + first, b + first, c + first});
         });
     }
     NeuralMesh mesh;
