@@ -50,14 +50,19 @@ def test_snapshots_leave_the_result_as_it_is_without_them(
     np.testing.assert_array_equal(with_them, without)
 
 
-def test_a_snapshot_is_as_accurate_as_a_mesh_of_its_own(bunny_points: pymeshlab.MeshSet) -> None:
-    reconstruct(bunny_points, targetvertnum=2000, snapshots="500")
-    bunny_points.set_current_mesh(0)
-    result = reconstruct(bunny_points, targetvertnum=500)
-    measured = bunny_points.get_hausdorff_distance(
-        sampledmesh=0, targetmesh=1, samplevert=True, sampleface=False, samplenum=10**6
-    )
-    assert measured["RMS"] < 1.3 * result["rms_error"]
+def test_snapshots_are_as_accurate_as_meshes_of_their_own(bunny_array: Points) -> None:
+    # In the mean: two runs to so few vertices differ by a third.
+    ratios = []
+    for seed in (1, 2, 3, 4):
+        document = document_of(bunny_array)
+        reconstruct(document, targetvertnum=2000, snapshots="500", randomseed=seed)
+        document.set_current_mesh(0)
+        result = reconstruct(document, targetvertnum=500, randomseed=seed)
+        measured = document.get_hausdorff_distance(
+            sampledmesh=0, targetmesh=1, samplevert=True, sampleface=False, samplenum=10**6
+        )
+        ratios.append(measured["RMS"] / result["rms_error"])
+    assert np.exp(np.mean(np.log(ratios))) < 1.2
 
 
 SNAPSHOT_CASES = [
