@@ -20,6 +20,8 @@ from documents import (
 pytestmark = pytest.mark.usefixtures("plugin")
 
 A_LAYER = 3
+FROM_THE_DATA = 4
+LEARNED = 1
 
 
 def torus_points(count: int = 20000) -> Points:
@@ -57,6 +59,21 @@ def test_no_target_is_smaller_than_the_solid(solid: str, vertices: int) -> None:
         startmesh=solid,
     )
     assert reconstruct(document, targetvertnum=vertices, startmesh=solid)["vertices"] == vertices
+
+
+@pytest.mark.parametrize("how", [{"topology": LEARNED}, {"startmesh": FROM_THE_DATA}])
+def test_a_torus_from_its_points_alone_has_genus_1(how: dict[str, int]) -> None:
+    document = document_of(torus_points())
+    result = reconstruct(document, targetvertnum=1000, **how)
+    assert (result["vertices"], result["faces"]) == (1000, 2000)  # Euler, genus 1
+    assert (result["genus"], result["components"]) == (1, 1)
+    assert document.get_topological_measures()["is_mesh_two_manifold"]
+
+
+def test_two_spheres_from_their_points_alone_are_two_components() -> None:
+    points = np.vstack([sphere_points(4000), sphere_points(4000) + [3, 0, 0]])
+    result = reconstruct(document_of(points), targetvertnum=600, topology=LEARNED)
+    assert (result["vertices"], result["genus"], result["components"]) == (600, 0, 2)
 
 
 def test_a_torus_from_a_torus_layer_has_genus_1() -> None:

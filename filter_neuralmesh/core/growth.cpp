@@ -14,6 +14,7 @@
 #include "core/network/learning_rules.h"
 #include "core/random_streams.h"
 #include "core/result/error_measure.h"
+#include "core/shape/start_from_data.h"
 #include "core/space/morton_order.h"
 #include "core/topology/starting_mesh.h"
 
@@ -315,6 +316,12 @@ void requireRoomAbove(int startingVertices, const GrowthParameters &parameters)
                            " vertices" + start);
 }
 
+bool startsFromData(const GrowthParameters &parameters)
+{
+    return parameters.startMesh == StartMesh::fromData ||
+           (parameters.topology == Topology::learned && parameters.startMesh != StartMesh::given);
+}
+
 } // namespace
 
 GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
@@ -323,14 +330,15 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
     parameters.validate();
     requireEnoughPoints(sampler, parameters.targetVertexCount);
     Random random = randomStream(parameters.seed, Purpose::growth);
-    if (parameters.startMesh != StartMesh::given) {
+    const bool hasShape = startsFromData(parameters) && startFromData(mesh, sampler, parameters);
+    if (!hasShape && parameters.startMesh != StartMesh::given) {
         std::vector<Point3> samples;
         sampler.draw(random, startingSamples, samples);
         makeStartingSolid(mesh, parameters.startMesh, samples);
     }
     requireRoomAbove(mesh.vn, parameters);
     Growth growth(mesh, sampler, parameters, random, progress, takeSnapshot);
-    if (parameters.startMesh == StartMesh::given)
+    if (hasShape || parameters.startMesh == StartMesh::given)
         growth.settle();
     const GrowthReport report = growth.run();
     finishMesh(mesh);

@@ -13,7 +13,9 @@ enum class Purpose : std::uint64_t {
     growth,
     measuring,
     /// The growth of the snapshot of that chunk's number.
-    snapshot
+    snapshot,
+    /// The samples of a start from the data.
+    shape
 };
 
 /// The stream of a seed for a purpose. Streams of other seeds, purposes and chunks have nothing in

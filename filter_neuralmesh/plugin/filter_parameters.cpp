@@ -107,11 +107,15 @@ void addCommonParameters(RichParameterList &list)
 void addStartParameters(RichParameterList &list, const MeshDocument &document)
 {
     const neuralmesh::GrowthParameters d;
+    list.addParam(RichEnum("Topology", static_cast<int>(d.topology),
+                           {"That of the starting mesh", "Learned from the data"}, "Topology",
+                           "Handles and components of the result: those of the starting mesh, or "
+                           "those of the points."));
     const MeshModel *current = document.mm();
-    list.addParam(RichEnum("StartMesh", static_cast<int>(d.startMesh),
-                           {"Tetrahedron", "Octahedron", "Icosahedron", "A layer"}, "Starting mesh",
-                           "What the network grows from. Its topology is that of the result.",
-                           advanced));
+    list.addParam(RichEnum(
+        "StartMesh", static_cast<int>(d.startMesh),
+        {"Tetrahedron", "Octahedron", "Icosahedron", "A layer", "From the data"}, "Starting mesh",
+        "What the network grows from. Its topology is that of the result.", advanced));
     list.addParam(RichMesh("StartLayer", current == nullptr ? 0U : current->id(), &document,
                            "Starting layer",
                            "With a layer as the starting mesh: a closed two-manifold, with as many "
@@ -221,6 +225,7 @@ neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &param
     growth.splitRule = static_cast<neuralmesh::SplitRule>(parameters.getEnum("SplitRule"));
     growth.surfaceFit = parameters.getBool("SurfaceFit");
     growth.edgeFlips = parameters.getBool("EdgeFlips");
+    growth.topology = static_cast<neuralmesh::Topology>(parameters.getEnum("Topology"));
     growth.startMesh = static_cast<neuralmesh::StartMesh>(parameters.getEnum("StartMesh"));
     growth.snapshots = readSnapshots(parameters);
     growth.seed = readSeed(parameters);

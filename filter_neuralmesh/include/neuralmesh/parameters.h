@@ -22,7 +22,16 @@ enum class StartMesh {
     octahedron,
     icosahedron,
     /// The closed two-manifold that the caller gives, whose topology stays.
-    given
+    given,
+    /// A coarse mesh of the samples' own handles and parts.
+    fromData
+};
+
+enum class Topology {
+    /// That of the starting mesh, as in the paper.
+    ofStart,
+    /// That of the samples: growth starts from the data, unless a starting mesh is given.
+    learned
 };
 
 /// Where a default is a measurement, it is RMS error to the mesh in per cent of the diagonal, the
@@ -58,6 +67,7 @@ struct GrowthParameters {
     bool surfaceFit = true;
     /// What the network starts from. Paper: a tetrahedron, "or any closed manifold" (§3).
     StartMesh startMesh = StartMesh::tetrahedron;
+    Topology topology = Topology::ofStart;
     /// Vertex counts, ascending, at which the network is shown on its way.
     std::vector<int> snapshots;
     std::uint64_t seed = 1;

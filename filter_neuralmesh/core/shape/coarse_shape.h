@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A coarse mesh of the shape of a point cloud: its handles, its parts, its inside.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/mesh/neural_mesh.h"
+
+namespace neuralmesh {
+
+/// What was found, and how far it can be trusted.
+struct CoarseShape {
+    int cells = 0;      ///< of the grid that was fine enough, per axis
+    int components = 0; ///< of the mesh
+    int genus = 0;      ///< sum over the components
+    /// Share of the mesh's area that is far from all points: membranes that close open surfaces.
+    double unsupportedShare = 0;
+    /// Share of the points that are far from the mesh.
+    double missedShare = 0;
+    /// Whether the points are of an open sheet, which a membrane closes.
+    bool isSheet = false;
+    /// Whether the shape persists over levels or grids, or nothing speaks against it.
+    bool isTrusted = false;
+};
+
+/// Makes `mesh` a closed oriented two-manifold of the shape of the points, of about `vertices`
+/// vertices, without normals. The points, in the unit frame, are samples of a target space of
+/// `pointCount` distinct points.
+///
+/// The sides are those of a winding field (winding_field.h), corrected by what a flood from outside
+/// reaches (outside_flood.h). The grid is refined until the shape no longer changes; its level set
+/// is decimated. Parts that hardly any point supports are left out.
+CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
+                            std::size_t pointCount, int vertices);
+
+} // namespace neuralmesh

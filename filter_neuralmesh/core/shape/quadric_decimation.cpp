@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shape/quadric_decimation.h"
+
+#include <array>
+#include <queue>
+#include <vector>
+
+#include "core/mesh/ring_topology.h"
+
+namespace neuralmesh {
+namespace {
+
+/// Weight of an edge's squared length, times the area at its ends, beside the quadric error. It
+/// decides where the surface is flat, and keeps the vertices apart evenly there.
+constexpr double lengthWeight = 1e-3;
+
+/// Cosine between a face's normals before and after a collapse, at the least.
+constexpr double leastTurn = 0.2;
+
+/// Sum of squared distances to planes, each weighted by its face's area.
+struct Quadric {
+    std::array<double, 10> q{}; // aa ab ac ad bb bc bd cc cd dd
+    double area = 0;
+
+    void addPlane(const Point3 &n, double d, double weight)
+    {
+        const double p[4] = {n.X(), n.Y(), n.Z(), d};
+        for (int i = 0, k = 0; i < 4; ++i)
+            for (int j = i; j < 4; ++j)
+                q[static_cast<std::size_t>(k++)] += weight * p[i] * p[j];
+        area += weight;
+    }
+    Quadric operator+(const Quadric &other) const
+    {
+        Quadric sum = *this;
+        for (std::size_t i = 0; i < q.size(); ++i)
+            sum.q[i] += other.q[i];
+        sum.area += other.area;
+        return sum;
+    }
+    double at(const Point3 &p) const
+    {
+        const double x = p.X(), y = p.Y(), z = p.Z();
+        return q[0] * x * x + q[4] * y * y + q[7] * z * z + q[9] +
+               2 * (q[1] * x * y + q[2] * x * z + q[3] * x + q[5] * y * z + q[6] * y + q[8] * z);
+    }
+};
+
+class Decimation {
+public:
+    explicit Decimation(NeuralMesh &mesh)
+        : mesh_(mesh), quadrics_(mesh.idBound()), stamps_(mesh.idBound(), 0)
+    {
+        for (VertexId v = 0; v < mesh_.idBound(); ++v)
+            if (mesh_.isLive(v))
+                measure(v);
+        for (VertexId v = 0; v < mesh_.idBound(); ++v)
+            if (mesh_.isLive(v))
+                for (const VertexId u : mesh_.ring(v))
+                    if (v < u)
+                        offer(v, u);
+    }
+
+    void run(int vertices)
+    {
+        while (mesh_.vn > vertices && !edges_.empty()) {
+            const Edge edge = edges_.top();
+            edges_.pop();
+            if (edge.stamp != stamps_[edge.v] + stamps_[edge.u] || !mesh_.isLive(edge.v) ||
+                !mesh_.isLive(edge.u) || !canCollapse(mesh_, edge.v, edge.u))
+                continue;
+            const Point3 place = bestPlace(edge.v, edge.u);
+            if (!turnsFace(edge.v, edge.u, place) && !turnsFace(edge.u, edge.v, place))
+                remove(edge.v, edge.u, place);
+        }
+    }
+
+private:
+    /// Valid while neither of its ends has changed, which their stamps count.
+    struct Edge {
+        double cost;
+        VertexId v, u;
+        unsigned stamp;
+        bool operator<(const Edge &other) const // the cheapest on top; ties by id
+        {
+            return cost != other.cost ? cost > other.cost
+                   : v != other.v     ? v > other.v
+                                      : u > other.u;
+        }
+    };
+
+    void measure(VertexId v)
+    {
+        const NeighbourRing &ring = mesh_.ring(v);
+        for (int i = 0; i < ring.size(); ++i) {
+            const Point3 &a = mesh_.position(v);
+            Point3 normal = (mesh_.position(ring[i]) - a) ^ (mesh_.position(ring.at(i + 1)) - a);
+            const double area = normal.Norm();
+            if (area > 0) {
+                normal /= area;
+                quadrics_[v].addPlane(normal, -(normal * a), area);
+            }
+        }
+    }
+
+    Point3 bestPlace(VertexId v, VertexId u) const
+    {
+        const Quadric sum = quadrics_[v] + quadrics_[u];
+        const Point3 &a = mesh_.position(v);
+        const Point3 &b = mesh_.position(u);
+        Point3 best = (a + b) / 2;
+        for (const Point3 &place : {a, b})
+            if (sum.at(place) < sum.at(best))
+                best = place;
+        return best;
+    }
+
+    void offer(VertexId v, VertexId u)
+    {
+        const Quadric sum = quadrics_[v] + quadrics_[u];
+        const double length = (mesh_.position(v) - mesh_.position(u)).SquaredNorm();
+        edges_.push({sum.at(bestPlace(v, u)) + lengthWeight * length * sum.area, v, u,
+                     stamps_[v] + stamps_[u]});
+    }
+
+    /// Whether a face of v that u is not a corner of would turn if v moved.
+    bool turnsFace(VertexId v, VertexId u, const Point3 &place) const
+    {
+        const NeighbourRing &ring = mesh_.ring(v);
+        const Point3 &before = mesh_.position(v);
+        for (int i = 0; i < ring.size(); ++i) {
+            const VertexId a = ring[i];
+            const VertexId b = ring.at(i + 1);
+            if (a == u || b == u)
+                continue;
+            const Point3 &p = mesh_.position(a);
+            const Point3 side = mesh_.position(b) - p;
+            const Point3 old = side ^ (before - p);
+            const Point3 now = side ^ (place - p);
+            if (old * now <= leastTurn * old.Norm() * now.Norm() && old.SquaredNorm() > 0)
+                return true;
+        }
+        return false;
+    }
+
+    void remove(VertexId v, VertexId u, const Point3 &place)
+    {
+        collapse(mesh_, v, u);
+        mesh_.position(u) = place;
+        quadrics_[u] = quadrics_[u] + quadrics_[v];
+        ++stamps_[u];
+        for (const VertexId w : mesh_.ring(u))
+            offer(u, w);
+    }
+
+    NeuralMesh &mesh_;
+    std::vector<Quadric> quadrics_;
+    std::vector<unsigned> stamps_; ///< how often the vertex has changed
+    std::priority_queue<Edge> edges_;
+};
+
+} // namespace
+
+void decimate(NeuralMesh &mesh, int vertices)
+{
+    Decimation(mesh).run(vertices);
+}
+
+} // namespace neuralmesh

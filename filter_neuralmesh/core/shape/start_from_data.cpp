@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shape/start_from_data.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/random_streams.h"
+#include "core/shape/coarse_shape.h"
+
+namespace neuralmesh {
+namespace {
+
+/// Vertices of the start: the shape of most things, and still coarse.
+constexpr int mostVertices = 500;
+
+/// Samples that it is made of; of fewer points, so many for each, which leaves out one in fifty.
+constexpr std::size_t mostSamples = 16000;
+constexpr std::size_t samplesPerPoint = 4;
+
+} // namespace
+
+bool startFromData(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters)
+{
+    Random random = randomStream(parameters.seed, Purpose::shape);
+    const std::size_t points = std::min(mostSamples, sampler.pointCount());
+    std::vector<Point3> samples;
+    sampler.draw(random, std::min(mostSamples, samplesPerPoint * points), samples);
+    const int vertices = std::min(mostVertices, parameters.targetVertexCount / 2);
+    const CoarseShape shape = findCoarseShape(mesh, samples, sampler.pointCount(), vertices);
+    return shape.isTrusted && mesh.vn <= parameters.targetVertexCount;
+}
+
+} // namespace neuralmesh

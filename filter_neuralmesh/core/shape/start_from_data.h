@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A starting mesh with the handles and parts of the samples.
+#pragma once
+
+#include "core/mesh/neural_mesh.h"
+#include "neuralmesh/parameters.h"
+#include "neuralmesh/sampler.h"
+
+namespace neuralmesh {
+
+/// Makes `mesh` a coarse closed mesh of the shape of the samples. False where no shape was found
+/// that can be trusted, or where it needs more vertices than the target has; `mesh` is then of no
+/// use.
+bool startFromData(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters);
+
+} // namespace neuralmesh
