@@ -25,8 +25,9 @@ struct Grown {
         parameters.targetVertexCount = static_cast<int>(state.range(0));
         grow(mesh, sphere(), parameters);
         Random random(2);
-        sphere().draw(random, static_cast<std::size_t>(state.range(0)), samples);
-        MortonOrder(sphere().bounds()).sort(samples);
+        std::vector<Point> drawn;
+        sphere().draw(random, static_cast<std::size_t>(state.range(0)), drawn);
+        MortonOrder(sphere().bounds()).sort(drawn, samples);
     }
 
     NeuralMesh mesh;
@@ -36,7 +37,7 @@ struct Grown {
 void findWinner(benchmark::State &state)
 {
     Grown grown(state);
-    GrowingNetwork network(grown.mesh, sphere().bounds(), {});
+    GrowingNetwork network(grown.mesh, toVcg(sphere().bounds()), {});
     std::size_t i = 0;
     VertexId winner = noVertex;
     for (auto _ : state)
@@ -47,7 +48,7 @@ void findWinner(benchmark::State &state)
 void findWinnerAndAdapt(benchmark::State &state)
 {
     Grown grown(state);
-    GrowingNetwork network(grown.mesh, sphere().bounds(), {});
+    GrowingNetwork network(grown.mesh, toVcg(sphere().bounds()), {});
     std::size_t i = 0;
     VertexId winner = noVertex;
     for (auto _ : state) {
@@ -59,7 +60,7 @@ void findWinnerAndAdapt(benchmark::State &state)
 void countSignal(benchmark::State &state)
 {
     Grown grown(state);
-    GrowingNetwork network(grown.mesh, sphere().bounds(), {});
+    GrowingNetwork network(grown.mesh, toVcg(sphere().bounds()), {});
     Random random(3);
     const auto vertices = static_cast<std::uint64_t>(network.vertexCount());
     for (auto _ : state)
@@ -70,10 +71,11 @@ void drawAndSort(benchmark::State &state)
 {
     Random random(4);
     MortonOrder order(sphere().bounds());
+    std::vector<Point> drawn;
     std::vector<Point3> samples;
     for (auto _ : state) {
-        sphere().draw(random, static_cast<std::size_t>(state.range(0)), samples);
-        order.sort(samples);
+        sphere().draw(random, static_cast<std::size_t>(state.range(0)), drawn);
+        order.sort(drawn, samples);
     }
     state.SetItemsProcessed(state.iterations() * state.range(0));
 }

@@ -16,6 +16,7 @@
 #include "core/result/error_measure.h"
 #include "core/shape/start_from_data.h"
 #include "core/space/morton_order.h"
+#include "core/space/plain_points.h"
 #include "core/topology/starting_mesh.h"
 
 namespace neuralmesh {
@@ -69,7 +70,7 @@ public:
         : parameters_(parameters), sampler_(sampler), progress_(progress),
           takeSnapshot_(takeSnapshot), random_(random),
           measuring_(randomStream(parameters.seed, Purpose::measuring)),
-          network_(mesh, sampler.bounds(), parameters), order_(sampler.bounds())
+          network_(mesh, toVcg(sampler.bounds()), parameters), order_(sampler.bounds())
     {
     }
 
@@ -190,8 +191,8 @@ private:
     /// Step 1, for a whole batch, sorted by space.
     void drawBatch(std::size_t count)
     {
-        sampler_.draw(random_, count, batch_);
-        order_.sort(batch_);
+        sampler_.draw(random_, count, drawn_);
+        order_.sort(drawn_, batch_);
     }
 
     void splitMostActive(std::size_t times)
@@ -254,7 +255,8 @@ private:
     SampleSupport supportOfBatch() const
     {
         const double points = static_cast<double>(sampler_.pointCount()) / network_.vertexCount();
-        return {sampler_.bounds(), batch_, std::sqrt(std::max(1.0, pointsPerVertex / points))};
+        return {toVcg(sampler_.bounds()), batch_,
+                std::sqrt(std::max(1.0, pointsPerVertex / points))};
     }
 
     bool hasStagnated()
@@ -285,7 +287,8 @@ private:
     Random measuring_; ///< of its own, so that measuring changes nothing
     GrowingNetwork network_;
     MortonOrder order_;
-    std::vector<Point3> batch_;
+    std::vector<Point> drawn_;
+    std::vector<Point3> batch_; ///< what was drawn, in order
     GrowthReport report_;
     std::size_t snapshotsTaken_ = 0;
     double countAtCheck_ = 0;
@@ -332,9 +335,9 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
     Random random = randomStream(parameters.seed, Purpose::growth);
     const bool hasShape = startsFromData(parameters) && startFromData(mesh, sampler, parameters);
     if (!hasShape && parameters.startMesh != StartMesh::given) {
-        std::vector<Point3> samples;
-        sampler.draw(random, startingSamples, samples);
-        makeStartingSolid(mesh, parameters.startMesh, samples);
+        std::vector<Point> drawn;
+        sampler.draw(random, startingSamples, drawn);
+        makeStartingSolid(mesh, parameters.startMesh, toVcg(drawn));
     }
     requireRoomAbove(mesh.vn, parameters);
     Growth growth(mesh, sampler, parameters, random, progress, takeSnapshot);

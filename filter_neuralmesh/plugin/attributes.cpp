@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/space/plain_points.h"
 #include "layers.h"
 #include "neuralmesh/random.h"
 #include "samplers/alias_table.h"
@@ -13,6 +14,7 @@ namespace {
 using neuralmesh::AttributeTransfer;
 using neuralmesh::AttributeValues;
 using neuralmesh::Corners;
+using neuralmesh::Point;
 
 /// Of the places on faces at which attributes are looked at: the same at every run.
 constexpr std::uint64_t seedOfPlaces = 1;
@@ -40,16 +42,18 @@ public:
     /// Every stride-th vertex.
     void addVertices(const MeshModel &layer, std::size_t stride)
     {
-        const std::vector<vcg::Point3d> points = worldPoints(layer);
+        const std::vector<Point> points = worldPoints(layer);
         const std::vector<AttributeValues> values = vertexAttributes(layer);
         for (std::size_t i = 0; i < points.size(); i += stride)
-            transfer_.add(frame_.toUnit(points[i]), values[i]);
+            transfer_.add(neuralmesh::toVcg(frame_.toUnit(points[i])), values[i]);
     }
 
     /// Places uniform on the faces.
     void addFaces(const MeshModel &layer, std::size_t count)
     {
-        const std::vector<vcg::Point3d> points = worldPoints(layer);
+        std::vector<vcg::Point3d> points;
+        for (const Point &p : worldPoints(layer))
+            points.push_back(neuralmesh::toVcg(p));
         const std::vector<AttributeValues> values = vertexAttributes(layer);
         const std::vector<Corners> faces = faceCorners(layer);
         std::vector<double> areas;
@@ -65,9 +69,9 @@ public:
             AttributeValues mixed{};
             for (std::size_t k = 0; k < mixed.size(); ++k)
                 mixed[k] = w[0] * values[f[0]][k] + w[1] * values[f[1]][k] + w[2] * values[f[2]][k];
-            transfer_.add(
-                frame_.toUnit(points[f[0]] * w[0] + points[f[1]] * w[1] + points[f[2]] * w[2]),
-                mixed);
+            transfer_.add(neuralmesh::toUnit(frame_, points[f[0]] * w[0] + points[f[1]] * w[1] +
+                                                         points[f[2]] * w[2]),
+                          mixed);
         }
     }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/growth.h"
+#include "core/space/plain_points.h"
 #include "filter_descriptions.h"
 #include "filter_parameters.h"
 #include "filter_results.h"
@@ -163,9 +164,9 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
         !target.attributes.layers.empty() && parameters.getBool("TransferAttributes");
     // All that may fail comes before the document changes.
     const auto attributesOf = [&](const neuralmesh::NeuralMesh &mesh) {
-        return withAttributes
-                   ? transferAttributes(target.attributes, mesh, frame, target.sampler->bounds())
-                   : Attributes{};
+        return withAttributes ? transferAttributes(target.attributes, mesh, frame,
+                                                   neuralmesh::toVcg(target.sampler->bounds()))
+                              : Attributes{};
     };
     std::vector<Attributes> attributes;
     for (const auto &snapshot : result.snapshots)

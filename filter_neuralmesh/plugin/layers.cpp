@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/mesh/manifold_mesh.h"
+#include "core/space/plain_points.h"
 #include "neuralmesh/errors.h"
 
 namespace {
@@ -34,14 +35,14 @@ const MeshModel &startLayer(const MeshDocument &document, unsigned int id)
     return *layer;
 }
 
-std::vector<vcg::Point3d> worldPoints(const MeshModel &layer)
+std::vector<neuralmesh::Point> worldPoints(const MeshModel &layer)
 {
     const vcg::Matrix44d matrix = matrixOf(layer);
-    std::vector<vcg::Point3d> points;
+    std::vector<neuralmesh::Point> points;
     points.reserve(static_cast<std::size_t>(layer.cm.vn));
     for (const CVertexO &vertex : layer.cm.vert)
         if (!vertex.IsD())
-            points.push_back(matrix * vcg::Point3d::Construct(vertex.cP()));
+            points.push_back(neuralmesh::toPlain(matrix * vcg::Point3d::Construct(vertex.cP())));
     return points;
 }
 
@@ -82,11 +83,11 @@ void makeStartingMesh(neuralmesh::NeuralMesh &mesh, const MeshModel &layer,
                       const neuralmesh::UnitFrame &frame)
 {
     std::vector<neuralmesh::Point3> points;
-    for (const vcg::Point3d &p : worldPoints(layer)) {
-        if (!std::isfinite(p.SquaredNorm()))
+    for (const neuralmesh::Point &p : worldPoints(layer)) {
+        if (!std::isfinite(neuralmesh::toVcg(p).SquaredNorm()))
             throw neuralmesh::InvalidInput("The starting layer has coordinates that are NaN, "
                                            "infinite or too large.");
-        points.push_back(frame.toUnit(p));
+        points.push_back(neuralmesh::toVcg(frame.toUnit(p)));
     }
     neuralmesh::makeManifold(mesh, points, faceCorners(layer));
 }
@@ -115,7 +116,7 @@ MeshModel &addLayer(MeshDocument &document, const neuralmesh::NeuralMesh &networ
     for (std::size_t id = 0; id < network.vert.size(); ++id) {
         if (network.vert[id].IsD())
             continue;
-        vertex->P() = Point3m::Construct(frame.toWorld(network.vert[id].cP()));
+        vertex->P() = Point3m::Construct(neuralmesh::toWorld(frame, network.vert[id].cP()));
         ++vertex;
         places[id] = place++;
     }

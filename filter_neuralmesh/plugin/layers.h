@@ -16,7 +16,7 @@ const MeshModel &startLayer(const MeshDocument &document, unsigned int id);
 
 /// A layer as the core takes it: vertices and faces that are not deleted, in world coordinates,
 /// with the layer's matrix. Vertices are numbered without the deleted ones, as users see them.
-std::vector<vcg::Point3d> worldPoints(const MeshModel &layer);
+std::vector<neuralmesh::Point> worldPoints(const MeshModel &layer);
 std::vector<neuralmesh::Corners> faceCorners(const MeshModel &layer);
 
 /// Quality of the same vertices. Throws InvalidInput where the layer has none.

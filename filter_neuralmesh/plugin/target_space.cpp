@@ -36,7 +36,7 @@ public:
     void add(const MeshModel &layer)
     {
         layers_.push_back(&layer);
-        const std::vector<vcg::Point3d> points = worldPoints(layer);
+        const std::vector<neuralmesh::Point> points = worldPoints(layer);
         points_.insert(points_.end(), points.begin(), points.end());
         if (!withDensity_)
             return;
@@ -56,7 +56,7 @@ public:
 private:
     bool withDensity_;
     std::vector<const MeshModel *> layers_;
-    std::vector<vcg::Point3d> points_;
+    std::vector<neuralmesh::Point> points_;
     std::vector<double> qualities_;
 };
 

@@ -39,7 +39,7 @@ void refuseNotFinite(std::uint64_t notFinite, std::uint64_t points, std::uint64_
                        std::to_string(first) + "). Remove them and try again.");
 }
 
-void requireFinite(const std::vector<vcg::Point3d> &world)
+void requireFinite(const std::vector<Point> &world)
 {
     std::size_t broken = 0;
     std::size_t first = 0;
@@ -57,7 +57,7 @@ UnitFrame frameOf(const vcg::Box3d &worldBounds)
                            "is not finite.");
     if (!(worldBounds.Diag() > 0))
         throw InvalidInput("All points lie in one place: there is no surface to reconstruct.");
-    return UnitFrame(worldBounds);
+    return UnitFrame(toPlain(worldBounds));
 }
 
 void requireFourPoints(std::size_t distinct)

@@ -6,14 +6,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/mesh/neural_mesh.h"
+#include "core/space/plain_points.h"
 #include "neuralmesh/unit_frame.h"
 
 namespace neuralmesh {
 
-inline bool isFinite(const vcg::Point3d &p)
+inline bool isFinite(const Point &p)
 {
-    return std::isfinite(p.X()) && std::isfinite(p.Y()) && std::isfinite(p.Z());
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+inline bool isFinite(const Point3 &p)
+{
+    return isFinite(toPlain(p));
 }
 
 /// Throws InvalidInput that says how many of the points are not finite and which is the first.
@@ -21,7 +26,7 @@ inline bool isFinite(const vcg::Point3d &p)
                                   std::uint64_t first);
 
 /// Throws InvalidInput where a coordinate is NaN or infinite, with how many and the first.
-void requireFinite(const std::vector<vcg::Point3d> &world);
+void requireFinite(const std::vector<Point> &world);
 
 /// The unit frame of a target space's bounds, in world coordinates. Throws InvalidInput where its
 /// diagonal is zero or not finite.

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "neuralmesh/sampler.h"
+#include "tests/points_for_tests.h"
 
 namespace neuralmesh::test {
 
@@ -49,13 +49,11 @@ inline int torusPatch(const vcg::Point3d &p, double major, double minor)
 template <class PatchOf> void expectUniform(const Sampler &sampler, const PatchOf &patchOf)
 {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-        Random random(seed);
-        std::vector<Point3> samples;
-        sampler.draw(random, patchSamples, samples);
+        const WorldPoints samples = drawWorld(sampler, seed, patchSamples);
         ASSERT_EQ(samples.size(), patchSamples);
         std::array<int, patches> counts{};
-        for (const Point3 &sample : samples)
-            ++counts[static_cast<std::size_t>(patchOf(sampler.frame().toWorld(sample)))];
+        for (const vcg::Point3d &sample : samples)
+            ++counts[static_cast<std::size_t>(patchOf(sample))];
         const double expected = static_cast<double>(patchSamples) / patches;
         double chiSquare = 0;
         for (const int count : counts)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small meshes and point sets that the tests share.
+// Small meshes that the tests share.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 #include "core/mesh/neural_mesh.h"
 #include "core/mesh/ring_topology.h"
 #include "core/topology/starting_mesh.h"
-#include "neuralmesh/random.h"
+#include "tests/points_for_tests.h"
 
 namespace neuralmesh::test {
 
@@ -78,20 +78,6 @@ inline void makeTorus(NeuralMesh &mesh, VertexId major, VertexId minor)
             faces.push_back({{here, both, up}});
         }
     makeMesh(mesh, points, faces);
-}
-
-/// Points uniform on the unit sphere by area (Archimedes).
-inline std::vector<vcg::Point3d> spherePoints(std::size_t count, std::uint64_t seed)
-{
-    Random random(seed);
-    std::vector<vcg::Point3d> points;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double z = 2 * random.unit() - 1;
-        const double angle = 2 * M_PI * random.unit();
-        const double r = std::sqrt(1 - z * z);
-        points.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
-    }
-    return points;
 }
 
 } // namespace neuralmesh::test

@@ -12,7 +12,7 @@ int main(int argc, char **argv)
         try {
             const neuralmesh::PointFileSampler sampler(argv[i]);
             neuralmesh::Random random(1);
-            std::vector<neuralmesh::Point3> samples;
+            std::vector<neuralmesh::Point> samples;
             sampler.draw(random, 1000, samples);
             std::puts("accepted");
         } catch (const neuralmesh::InvalidInput &problem) {

@@ -11,13 +11,10 @@
 
 #include <unistd.h>
 
-#include <vcg/space/box3.h>
-
 #include "samplers/files/mapped_file.h"
+#include "tests/points_for_tests.h"
 
 namespace neuralmesh::test {
-
-using WorldPoints = std::vector<vcg::Point3d>;
 
 inline Bytes bytesOf(const std::string &content)
 {

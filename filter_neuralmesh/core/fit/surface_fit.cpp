@@ -120,8 +120,8 @@ private:
     {
         accumulators_.reset();
         sampler_.draw(random_, static_cast<std::size_t>(samplesPerVertex * network_.vertexCount()),
-                      samples_);
-        order_.sort(samples_);
+                      drawn_);
+        order_.sort(drawn_, samples_);
         VertexId nearest = noVertex;
         for (const Point3 &sample : samples_) {
             nearest = network_.nearestVertex(sample, nearest);
@@ -301,6 +301,7 @@ private:
     const Sampler &sampler_;
     Random &random_;
     MortonOrder order_;
+    std::vector<Point> drawn_;
     std::vector<Point3> samples_;
     VertexData<Accumulator> accumulators_;
     VertexData<Surroundings> around_;

@@ -2,7 +2,6 @@
 // Numbers the faces that the rings stand for, for searches from face to face.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -11,8 +10,6 @@
 namespace neuralmesh {
 
 using FaceId = std::uint32_t;
-/// Corners of a face, counter-clockwise seen from outside.
-using Corners = std::array<VertexId, 3>;
 
 /// Valid until the mesh's connectivity changes.
 class FaceTable {

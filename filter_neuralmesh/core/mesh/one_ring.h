@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "neuralmesh/geometry.h"
+
 namespace neuralmesh {
 
-/// Index of a vertex in NeuralMesh::vert. Ids stay valid while the mesh grows; pointers do not.
-using VertexId = std::uint32_t;
+/// Ids index NeuralMesh::vert. They stay valid while the mesh grows; pointers do not.
 inline constexpr VertexId noVertex = 0xffffffffU;
 
 /// The neighbours of a vertex in counter-clockwise order seen from outside, closed: the last is

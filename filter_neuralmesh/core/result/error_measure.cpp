@@ -12,10 +12,10 @@ namespace neuralmesh {
 ErrorFigures measureError(const GrowingNetwork &network, const Sampler &sampler, Random &random,
                           std::size_t samplesPerVertex)
 {
+    std::vector<Point> drawn;
+    sampler.draw(random, samplesPerVertex * static_cast<std::size_t>(network.vertexCount()), drawn);
     std::vector<Point3> samples;
-    sampler.draw(random, samplesPerVertex * static_cast<std::size_t>(network.vertexCount()),
-                 samples);
-    MortonOrder(sampler.bounds()).sort(samples);
+    MortonOrder(sampler.bounds()).sort(drawn, samples);
     double sum = 0;
     double largest = 0;
     VertexId nearest = noVertex;

@@ -6,6 +6,7 @@
 
 #include "core/random_streams.h"
 #include "core/shape/coarse_shape.h"
+#include "core/space/plain_points.h"
 
 namespace neuralmesh {
 namespace {
@@ -23,10 +24,10 @@ bool startFromData(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamet
 {
     Random random = randomStream(parameters.seed, Purpose::shape);
     const std::size_t points = std::min(mostSamples, sampler.pointCount());
-    std::vector<Point3> samples;
+    std::vector<Point> samples;
     sampler.draw(random, std::min(mostSamples, samplesPerPoint * points), samples);
     const int vertices = std::min(mostVertices, parameters.targetVertexCount / 2);
-    const CoarseShape shape = findCoarseShape(mesh, samples, sampler.pointCount(), vertices);
+    const CoarseShape shape = findCoarseShape(mesh, toVcg(samples), sampler.pointCount(), vertices);
     return shape.isTrusted && mesh.vn <= parameters.targetVertexCount;
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/space/plain_points.h"
+
 namespace neuralmesh {
 namespace {
 
@@ -21,17 +23,18 @@ std::uint32_t spreadBits(std::uint32_t x)
 
 } // namespace
 
-MortonOrder::MortonOrder(const Box3 &bounds) : origin_(bounds.min)
+MortonOrder::MortonOrder(const Box &bounds) : origin_(bounds.min)
 {
-    const Point3 extent = bounds.Dim();
-    const Scalar widest = std::max({extent.X(), extent.Y(), extent.Z(), Scalar(1e-30)});
+    Scalar widest = 1e-30;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        widest = std::max(widest, bounds.max[axis] - bounds.min[axis]);
     cellsPerUnit_ = static_cast<Scalar>(cellsPerAxis) / widest;
 }
 
-std::uint32_t MortonOrder::key(const Point3 &point) const
+std::uint32_t MortonOrder::key(const Point &point) const
 {
     std::uint32_t key = 0;
-    for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
         const Scalar cell = (point[axis] - origin_[axis]) * cellsPerUnit_;
         const auto clamped =
             static_cast<std::uint32_t>(std::clamp(cell, Scalar(0), Scalar(cellsPerAxis - 1)));
@@ -40,16 +43,15 @@ std::uint32_t MortonOrder::key(const Point3 &point) const
     return key;
 }
 
-void MortonOrder::sort(std::vector<Point3> &points)
+void MortonOrder::sort(const std::vector<Point> &points, std::vector<Point3> &sorted)
 {
     keyed_.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         keyed_[i] = (static_cast<std::uint64_t>(key(points[i])) << 32) | i;
     sortByKey();
-    sorted_.resize(points.size());
+    sorted.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-        sorted_[i] = points[keyed_[i] & 0xffffffffU];
-    points.swap(sorted_);
+        sorted[i] = toVcg(points[keyed_[i] & 0xffffffffU]);
 }
 
 void MortonOrder::sortByKey()

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
+#include "neuralmesh/geometry.h"
 
 namespace neuralmesh {
 
@@ -13,18 +14,18 @@ namespace neuralmesh {
 /// good guess for the next. Points with the same key keep their order.
 class MortonOrder {
 public:
-    explicit MortonOrder(const Box3 &bounds);
-    void sort(std::vector<Point3> &points);
+    explicit MortonOrder(const Box &bounds);
+    /// `points` in that order, into `sorted`.
+    void sort(const std::vector<Point> &points, std::vector<Point3> &sorted);
 
 private:
-    std::uint32_t key(const Point3 &point) const;
+    std::uint32_t key(const Point &point) const;
     void sortByKey();
 
-    Point3 origin_;
+    Point origin_;
     Scalar cellsPerUnit_;
     std::vector<std::uint64_t> keyed_; ///< key and place of each point, scratch
     std::vector<std::uint64_t> moved_; ///< scratch
-    std::vector<Point3> sorted_;       ///< scratch
 };
 
 } // namespace neuralmesh

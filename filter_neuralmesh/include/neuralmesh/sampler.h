@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/mesh/neural_mesh.h"
+#include "neuralmesh/geometry.h"
 #include "neuralmesh/random.h"
 #include "neuralmesh/unit_frame.h"
 
@@ -14,16 +14,19 @@ namespace neuralmesh {
 
 class Sampler {
 public:
+    Sampler() = default;
     virtual ~Sampler() = default;
 
     /// The frame in which samples are given.
     virtual const UnitFrame &frame() const = 0;
 
     /// Bounds of the target space, in the unit frame.
-    virtual Box3 bounds() const = 0;
+    virtual Box bounds() const = 0;
 
-    /// Step 1 of the paper: `count` independent samples of P, in the unit frame, into `samples`.
-    virtual void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const = 0;
+    /// Step 1 of the paper: `count` independent samples of P, in the unit frame, into `samples`,
+    /// whatever these held before. All randomness comes from `random`. Called for thousands of
+    /// samples at once.
+    virtual void draw(Random &random, std::size_t count, std::vector<Point> &samples) const = 0;
 
     /// How many points the space has, repeated ones included; by default more than any network asks
     /// for, as a surface has.
@@ -32,6 +35,9 @@ public:
     /// How many distinct points the space has; may stop counting at `enough`. A vertex that wins
     /// needs a point of its own, so no network can hold more vertices.
     virtual std::size_t countDistinctPoints(std::size_t enough) const { return enough; }
+
+    /// Estimated share of the points that were taken for outliers and are not drawn.
+    virtual double outlierShare() const { return 0; }
 };
 
 } // namespace neuralmesh

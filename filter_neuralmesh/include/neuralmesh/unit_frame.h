@@ -2,7 +2,10 @@
 // The frame in which the network grows: centred, with the bounding box's diagonal as the unit.
 #pragma once
 
-#include "core/mesh/neural_mesh.h"
+#include <cmath>
+#include <cstddef>
+
+#include "neuralmesh/geometry.h"
 
 namespace neuralmesh {
 
@@ -13,24 +16,34 @@ public:
     UnitFrame() = default;
 
     /// The frame of a bounding box in world coordinates that is not a single point.
-    explicit UnitFrame(const vcg::Box3d &worldBounds)
-        : centre_(worldBounds.Center()), diagonal_(worldBounds.Diag())
+    explicit UnitFrame(const Box &worldBounds)
     {
+        const Point &low = worldBounds.min;
+        const Point &high = worldBounds.max;
+        Point extent;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            centre_[axis] = (low[axis] + high[axis]) / 2;
+            extent[axis] = high[axis] - low[axis];
+        }
+        diagonal_ =
+            std::sqrt(extent[0] * extent[0] + extent[1] * extent[1] + extent[2] * extent[2]);
     }
 
     double diagonal() const { return diagonal_; }
 
-    Point3 toUnit(const vcg::Point3d &world) const
+    Point toUnit(const Point &world) const
     {
-        return Point3::Construct((world - centre_) / diagonal_);
+        return {(world[0] - centre_[0]) / diagonal_, (world[1] - centre_[1]) / diagonal_,
+                (world[2] - centre_[2]) / diagonal_};
     }
-    vcg::Point3d toWorld(const Point3 &unit) const
+    Point toWorld(const Point &unit) const
     {
-        return vcg::Point3d::Construct(unit) * diagonal_ + centre_;
+        return {unit[0] * diagonal_ + centre_[0], unit[1] * diagonal_ + centre_[1],
+                unit[2] * diagonal_ + centre_[2]};
     }
 
 private:
-    vcg::Point3d centre_{0, 0, 0};
+    Point centre_{0, 0, 0};
     double diagonal_ = 1;
 };
 

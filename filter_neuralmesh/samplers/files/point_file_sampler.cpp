@@ -69,8 +69,8 @@ PointFileSampler::PointFileSampler(const std::string &path, const Progress &prog
 try : path_(path), file_(path), records_(file_.bytes(), readPointLayout(file_.bytes())) {
     const vcg::Box3d worldBounds = findWorldBounds(progress);
     frame_ = frameOf(worldBounds);
-    bounds_.Add(frame_.toUnit(worldBounds.min));
-    bounds_.Add(frame_.toUnit(worldBounds.max));
+    bounds_.Add(toUnit(frame_, worldBounds.min));
+    bounds_.Add(toUnit(frame_, worldBounds.max));
     requireFourPoints(countDistinctPoints(4));
     std::vector<Point3> pilot;
     visitPilot(records_.count(), [&](std::uint64_t index) { pilot.push_back(unitPoint(index)); });
@@ -102,7 +102,7 @@ vcg::Box3d PointFileSampler::findWorldBounds(const Progress &progress) const
     return survey.bounds;
 }
 
-void PointFileSampler::draw(Random &random, std::size_t count, std::vector<Point3> &samples) const
+void PointFileSampler::draw(Random &random, std::size_t count, std::vector<Point> &samples) const
 {
     samples.resize(count);
     for (std::size_t begin = 0; begin < count; begin += pointsPerLook) {
@@ -111,7 +111,7 @@ void PointFileSampler::draw(Random &random, std::size_t count, std::vector<Point
         const std::size_t end = std::min(begin + pointsPerLook, count);
         if (outliers_)
             for (std::size_t i = begin; i < end; ++i)
-                samples[i] = drawNoOutlier(random);
+                samples[i] = toPlain(drawNoOutlier(random));
         else
             for (std::size_t i = begin; i < end; i += readsAtOnce)
                 drawAtOnce(random, std::min(readsAtOnce, end - i), &samples[i]);
@@ -120,7 +120,7 @@ void PointFileSampler::draw(Random &random, std::size_t count, std::vector<Point
 
 /// Asks for all records before it reads the first: each lies on a page of its own, and the memory
 /// answers several requests in hardly more time than one.
-void PointFileSampler::drawAtOnce(Random &random, std::size_t count, Point3 *samples) const
+void PointFileSampler::drawAtOnce(Random &random, std::size_t count, Point *samples) const
 {
     std::uint64_t indices[readsAtOnce];
     for (std::size_t i = 0; i < count; ++i) {
@@ -128,7 +128,7 @@ void PointFileSampler::drawAtOnce(Random &random, std::size_t count, Point3 *sam
         __builtin_prefetch(records_.record(indices[i]));
     }
     for (std::size_t i = 0; i < count; ++i)
-        samples[i] = unitPoint(indices[i]);
+        samples[i] = toPlain(unitPoint(indices[i]));
 }
 
 Point3 PointFileSampler::drawNoOutlier(Random &random) const

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/space/plain_points.h"
 #include "neuralmesh/progress.h"
 #include "neuralmesh/sampler.h"
 #include "samplers/files/mapped_file.h"
@@ -24,20 +25,19 @@ public:
     explicit PointFileSampler(const std::string &path, const Progress &progress = {});
 
     const UnitFrame &frame() const override { return frame_; }
-    Box3 bounds() const override { return bounds_; }
+    Box bounds() const override { return toPlain(bounds_); }
     /// Throws InvalidInput where the file has been changed since it was opened.
-    void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const override;
+    void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
     std::size_t pointCount() const override;
     /// Reads the file from its start until it has found enough.
     std::size_t countDistinctPoints(std::size_t enough) const override;
 
-    /// Estimated share of the points that are outliers.
-    double outlierShare() const { return outliers_ ? outliers_->share() : 0; }
+    double outlierShare() const override { return outliers_ ? outliers_->share() : 0; }
 
 private:
     vcg::Box3d findWorldBounds(const Progress &progress) const;
-    Point3 unitPoint(std::uint64_t index) const { return frame_.toUnit(records_.point(index)); }
-    void drawAtOnce(Random &random, std::size_t count, Point3 *samples) const;
+    Point3 unitPoint(std::uint64_t index) const { return toUnit(frame_, records_.point(index)); }
+    void drawAtOnce(Random &random, std::size_t count, Point *samples) const;
     Point3 drawNoOutlier(Random &random) const;
 
     std::string path_;

@@ -15,7 +15,7 @@ constexpr std::size_t mostPointsSifted = 200000;
 
 } // namespace
 
-PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d> &world,
+PointCloudSampler::PointCloudSampler(const std::vector<Point> &world,
                                      const std::vector<double> &density)
 {
     if (world.empty())
@@ -25,14 +25,14 @@ PointCloudSampler::PointCloudSampler(const std::vector<vcg::Point3d> &world,
     vcg::Box3d worldBounds;
     for (std::size_t i = 0; i < world.size(); ++i)
         if (isDrawn(i))
-            worldBounds.Add(world[i]);
+            worldBounds.Add(toVcg(world[i]));
     frame_ = frameOf(worldBounds);
     points_.reserve(world.size());
     std::vector<double> weights;
     for (std::size_t i = 0; i < world.size(); ++i) {
         if (!isDrawn(i))
             continue;
-        points_.push_back(frame_.toUnit(world[i]));
+        points_.push_back(toVcg(frame_.toUnit(world[i])));
         bounds_.Add(points_.back());
         if (!density.empty())
             weights.push_back(density[i]);
@@ -60,14 +60,15 @@ void PointCloudSampler::setAsideOutliers()
     points_.erase(end, points_.end());
 }
 
-void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Point3> &samples) const
+void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Point> &samples) const
 {
     samples.resize(count);
-    for (Point3 &sample : samples) {
+    for (Point &sample : samples) {
         // At most a fifth are outliers: 64 in a row do not happen.
         for (int tries = 0; tries < 64; ++tries) {
-            sample = points_[drawIndex(random)];
-            if (!outliers_ || !outliers_->isOutlier(sample))
+            const Point3 &point = points_[drawIndex(random)];
+            sample = toPlain(point);
+            if (!outliers_ || !outliers_->isOutlier(point))
                 break;
         }
     }

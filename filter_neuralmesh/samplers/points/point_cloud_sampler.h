@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/space/plain_points.h"
 #include "neuralmesh/sampler.h"
 #include "samplers/alias_table.h"
 #include "samplers/points/outlier_filter.h"
@@ -20,17 +21,16 @@ public:
     /// Where `density` is given, one value for each point, not negative, points are drawn in
     /// proportion to it. It says how much each of them counts: those of density 0 are as if they
     /// were not there, and none is left out as an outlier.
-    explicit PointCloudSampler(const std::vector<vcg::Point3d> &world,
+    explicit PointCloudSampler(const std::vector<Point> &world,
                                const std::vector<double> &density = {});
 
     const UnitFrame &frame() const override { return frame_; }
-    Box3 bounds() const override { return bounds_; }
-    void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const override;
+    Box bounds() const override { return toPlain(bounds_); }
+    void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
     std::size_t pointCount() const override { return points_.size(); }
     std::size_t countDistinctPoints(std::size_t enough) const override;
 
-    /// Estimated share of the points that are outliers.
-    double outlierShare() const { return outlierShare_; }
+    double outlierShare() const override { return outlierShare_; }
 
 private:
     void setAsideOutliers();

@@ -92,7 +92,7 @@ ImplicitSampler::ImplicitSampler(Expression function, const vcg::Box3d &box)
     frame_ = frameOf(worldBounds);
     std::vector<Point3> points;
     for (const vcg::Point3d &p : pilot) {
-        points.push_back(frame_.toUnit(p));
+        points.push_back(toUnit(frame_, p));
         bounds_.Add(points.back());
     }
     requireSolid(points);
@@ -137,7 +137,7 @@ void ImplicitSampler::intersectRandomLine(Random &random, std::vector<vcg::Point
     }
 }
 
-void ImplicitSampler::draw(Random &random, std::size_t count, std::vector<Point3> &samples) const
+void ImplicitSampler::draw(Random &random, std::size_t count, std::vector<Point> &samples) const
 {
     samples.clear();
     samples.reserve(count);
@@ -152,7 +152,7 @@ void ImplicitSampler::draw(Random &random, std::size_t count, std::vector<Point3
         intersectRandomLine(random, points);
         for (const vcg::Point3d &point : points)
             if (samples.size() < count)
-                samples.push_back(frame_.toUnit(point));
+                samples.push_back(frame_.toUnit(toPlain(point)));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/space/plain_points.h"
 #include "neuralmesh/sampler.h"
 #include "samplers/surfaces/expression.h"
 #include "samplers/surfaces/surface_cells.h"
@@ -23,8 +24,8 @@ public:
     ImplicitSampler(Expression function, const vcg::Box3d &box);
 
     const UnitFrame &frame() const override { return frame_; }
-    Box3 bounds() const override { return bounds_; }
-    void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const override;
+    Box bounds() const override { return toPlain(bounds_); }
+    void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
 
 private:
     void intersectRandomLine(Random &random, std::vector<vcg::Point3d> &points) const;

@@ -92,7 +92,7 @@ void ParametricSampler::measureCells()
     frame_ = frameOf(worldBounds);
     std::vector<Point3> points;
     for (const vcg::Point3d &node : nodes) {
-        points.push_back(frame_.toUnit(node));
+        points.push_back(toUnit(frame_, node));
         bounds_.Add(points.back());
     }
     requireSolid(points);
@@ -125,11 +125,11 @@ vcg::Point3d ParametricSampler::drawPoint(Random &random) const
     throw InvalidInput("The surface is too small a part of the ranges of u and v to be sampled.");
 }
 
-void ParametricSampler::draw(Random &random, std::size_t count, std::vector<Point3> &samples) const
+void ParametricSampler::draw(Random &random, std::size_t count, std::vector<Point> &samples) const
 {
     samples.resize(count);
-    for (Point3 &sample : samples)
-        sample = frame_.toUnit(drawPoint(random));
+    for (Point &sample : samples)
+        sample = frame_.toUnit(toPlain(drawPoint(random)));
 }
 
 } // namespace neuralmesh

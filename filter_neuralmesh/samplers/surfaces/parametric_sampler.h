@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/space/plain_points.h"
 #include "neuralmesh/sampler.h"
 #include "samplers/alias_table.h"
 #include "samplers/surfaces/expression.h"
@@ -28,8 +29,8 @@ public:
     ParametricSampler(std::array<Expression, 3> coordinates, Range u, Range v);
 
     const UnitFrame &frame() const override { return frame_; }
-    Box3 bounds() const override { return bounds_; }
-    void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const override;
+    Box bounds() const override { return toPlain(bounds_); }
+    void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
 
 private:
     vcg::Point3d place(double u, double v) const;

@@ -41,8 +41,7 @@ Weights drawLinear(const Weights &density, Random &random)
 
 } // namespace
 
-SurfaceSampler::SurfaceSampler(const std::vector<vcg::Point3d> &world,
-                               const std::vector<Corners> &faces,
+SurfaceSampler::SurfaceSampler(const std::vector<Point> &world, const std::vector<Corners> &faces,
                                const std::vector<double> &density)
     : density_(density)
 {
@@ -50,12 +49,12 @@ SurfaceSampler::SurfaceSampler(const std::vector<vcg::Point3d> &world,
     vcg::Box3d worldBounds;
     for (const Corners &face : faces)
         for (const VertexId v : face)
-            worldBounds.Add(world[v]);
+            worldBounds.Add(toVcg(world[v]));
     if (faces.empty())
         throw InvalidInput("There are no faces to sample.");
     frame_ = frameOf(worldBounds);
-    for (const vcg::Point3d &p : world)
-        points_.push_back(frame_.toUnit(p));
+    for (const Point &p : world)
+        points_.push_back(toVcg(frame_.toUnit(p)));
 
     std::vector<double> weights;
     std::vector<Point3> corners;
@@ -80,16 +79,17 @@ SurfaceSampler::SurfaceSampler(const std::vector<vcg::Point3d> &world,
     table_ = AliasTable(weights);
 }
 
-void SurfaceSampler::draw(Random &random, std::size_t count, std::vector<Point3> &samples) const
+void SurfaceSampler::draw(Random &random, std::size_t count, std::vector<Point> &samples) const
 {
     samples.resize(count);
-    for (Point3 &sample : samples) {
+    for (Point &sample : samples) {
         const Corners &face = faces_[table_.draw(random)];
         const Weights w =
             density_.empty()
                 ? drawUniform(random)
                 : drawLinear({density_[face[0]], density_[face[1]], density_[face[2]]}, random);
-        sample = points_[face[0]] * w[0] + points_[face[1]] * w[1] + points_[face[2]] * w[2];
+        sample =
+            toPlain(points_[face[0]] * w[0] + points_[face[1]] * w[1] + points_[face[2]] * w[2]);
     }
 }
 

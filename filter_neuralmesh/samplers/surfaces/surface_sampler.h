@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/mesh/face_table.h"
+#include "core/space/plain_points.h"
 #include "neuralmesh/sampler.h"
 #include "samplers/alias_table.h"
 
@@ -18,12 +18,12 @@ public:
     ///
     /// Throws InvalidInput where no face has an area (and a density), where a point is not finite,
     /// and where all faces lie in one plane, which cannot carry a closed surface.
-    SurfaceSampler(const std::vector<vcg::Point3d> &world, const std::vector<Corners> &faces,
+    SurfaceSampler(const std::vector<Point> &world, const std::vector<Corners> &faces,
                    const std::vector<double> &density = {});
 
     const UnitFrame &frame() const override { return frame_; }
-    Box3 bounds() const override { return bounds_; }
-    void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const override;
+    Box bounds() const override { return toPlain(bounds_); }
+    void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
 
 private:
     UnitFrame frame_;

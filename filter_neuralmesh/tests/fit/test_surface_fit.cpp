@@ -14,8 +14,7 @@ namespace neuralmesh {
 namespace {
 
 /// Root mean square distance of the clean points from the mesh, in diagonals.
-double rmsDistance(const NeuralMesh &mesh, const UnitFrame &frame,
-                   const std::vector<vcg::Point3d> &world)
+double rmsDistance(const NeuralMesh &mesh, const UnitFrame &frame, const test::WorldPoints &world)
 {
     Box3 bounds;
     bounds.Add({-0.5, -0.5, -0.5});
@@ -26,14 +25,14 @@ double rmsDistance(const NeuralMesh &mesh, const UnitFrame &frame,
             grid.insert(v, mesh.position(v));
     double sum = 0;
     for (const vcg::Point3d &point : world) {
-        const Point3 p = frame.toUnit(point);
+        const Point3 p = toUnit(frame, point);
         sum += projectOnStar(mesh, grid.nearest(p), p).squaredDistance;
     }
     return std::sqrt(sum / static_cast<double>(world.size()));
 }
 
-double rmsWithFit(bool fit, const std::vector<vcg::Point3d> &cloud,
-                  const std::vector<vcg::Point3d> &clean, NeuralMesh &mesh)
+double rmsWithFit(bool fit, const test::WorldPoints &cloud, const test::WorldPoints &clean,
+                  NeuralMesh &mesh)
 {
     const PointCloudSampler sampler(cloud);
     GrowthParameters parameters;
@@ -54,10 +53,10 @@ void addNoise(vcg::Point3d &point, double deviation, Random &random)
 }
 
 /// The surface of a cube with 90-degree creases, by area.
-std::vector<vcg::Point3d> cubePoints(std::size_t count)
+test::WorldPoints cubePoints(std::size_t count)
 {
     Random random(6);
-    std::vector<vcg::Point3d> points;
+    test::WorldPoints points;
     for (std::size_t i = 0; i < count; ++i) {
         vcg::Point3d p(2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1);
         p[static_cast<int>(random.below(3))] = random.below(2) == 0 ? -1 : 1;
@@ -93,7 +92,7 @@ TEST(SurfaceFit, is_nearer_to_the_truth_than_the_noise_of_its_points)
 {
     const auto clean = test::spherePoints(20000, 2);
     Random random(3);
-    std::vector<vcg::Point3d> noisy;
+    test::WorldPoints noisy;
     for (const vcg::Point3d &p : clean) {
         vcg::Point3d q = p;
         addNoise(q, 0.02, random);
@@ -108,12 +107,12 @@ TEST(SurfaceFit, is_nearer_to_the_truth_than_the_noise_of_its_points)
 }
 
 /// A plate 1 by 1 by 0.12: its surface by area, with normal noise.
-std::vector<vcg::Point3d> noisyPlate(std::size_t count, double deviation, std::uint64_t seed)
+test::WorldPoints noisyPlate(std::size_t count, double deviation, std::uint64_t seed)
 {
     Random random(seed);
     const vcg::Point3d size(1, 1, 0.12);
     const double shareOfRim = 2 * size[2] / (1 + 2 * size[2]);
-    std::vector<vcg::Point3d> points;
+    test::WorldPoints points;
     for (std::size_t i = 0; i < count; ++i) {
         vcg::Point3d p(random.unit() * size[0], random.unit() * size[1], random.unit() * size[2]);
         const int axis = random.unit() >= shareOfRim ? 2 : static_cast<int>(random.below(2));
@@ -131,7 +130,7 @@ double rmsDistanceFromPlate(const NeuralMesh &mesh, const UnitFrame &frame)
     double squares = 0;
     double areas = 0;
     for (const NeuralFace &face : mesh.face) {
-        const vcg::Point3d p = frame.toWorld((face.cP(0) + face.cP(1) + face.cP(2)) / 3);
+        const vcg::Point3d p = toWorld(frame, (face.cP(0) + face.cP(1) + face.cP(2)) / 3);
         double outside = 0;
         double inside = size[2];
         for (int k = 0; k < 3; ++k) {

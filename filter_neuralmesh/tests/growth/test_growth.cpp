@@ -12,9 +12,9 @@
 namespace neuralmesh {
 namespace {
 
-const std::vector<vcg::Point3d> &densePointsOnSphere()
+const test::WorldPoints &densePointsOnSphere()
 {
-    static const std::vector<vcg::Point3d> points = test::spherePoints(200000, 7);
+    static const test::WorldPoints points = test::spherePoints(200000, 7);
     return points;
 }
 
@@ -64,7 +64,7 @@ TEST(Growth, comes_near_the_sphere_it_samples)
     for (const NeuralFace &face : mesh.face)
         // A face of 1,000 vertices spans about 0.12: its sagitta is 0.12^2 / 2 / 3 = 0.0024; ten
         // times that would be a vertex that is misplaced.
-        EXPECT_NEAR(sampler.frame().toWorld(face.cP(0)).Norm(), 1, 0.024);
+        EXPECT_NEAR(toWorld(sampler.frame(), face.cP(0)).Norm(), 1, 0.024);
 }
 
 TEST(Growth, the_same_seed_gives_the_same_mesh_and_another_seed_another)

@@ -52,7 +52,7 @@ double faceError(const NeuralMesh &mesh)
     double sum = 0;
     for (const NeuralFace &face : mesh.face) {
         const Point3 middle = (face.cP(0) + face.cP(1) + face.cP(2)) / 3;
-        sum += std::abs(sphere().frame().toWorld(middle).Norm() - 1);
+        sum += std::abs(toWorld(sphere().frame(), middle).Norm() - 1);
     }
     return sum / mesh.fn;
 }

@@ -29,17 +29,6 @@ std::string refusal(const std::string &text, const vcg::Box3d &box = cube(1))
     return "accepted";
 }
 
-std::vector<vcg::Point3d> drawFrom(const Sampler &sampler, std::size_t count)
-{
-    Random random(1);
-    std::vector<Point3> samples;
-    sampler.draw(random, count, samples);
-    std::vector<vcg::Point3d> points;
-    for (const Point3 &sample : samples)
-        points.push_back(sampler.frame().toWorld(sample));
-    return points;
-}
-
 TEST(ImplicitSampler, is_uniform_by_area_on_a_sphere)
 {
     test::expectUniform(surfaceOf(sphere), test::spherePatch);
@@ -67,7 +56,7 @@ TEST(ImplicitSampler, samples_both_sides_of_a_thin_wall_alike)
     // Two spheres 0.01 apart, a third of a cube of the grid.
     const ImplicitSampler sampler = surfaceOf("abs(sqrt(x*x + y*y + z*z) - 0.7) - 0.005");
     int outside = 0;
-    for (const vcg::Point3d &p : drawFrom(sampler, 100000))
+    for (const vcg::Point3d &p : test::drawWorld(sampler, 1, 100000))
         outside += p.Norm() > 0.7 ? 1 : 0;
     // Their areas are 0.705^2 : 0.695^2, and a binomial's five standard deviations are 0.008.
     EXPECT_NEAR(outside / 100000.0, 0.507, 0.008);
@@ -75,7 +64,7 @@ TEST(ImplicitSampler, samples_both_sides_of_a_thin_wall_alike)
 
 TEST(ImplicitSampler, samples_lie_on_the_surface)
 {
-    for (const vcg::Point3d &p : drawFrom(surfaceOf(sphere), 10000))
+    for (const vcg::Point3d &p : test::drawWorld(surfaceOf(sphere), 1, 10000))
         EXPECT_NEAR(p.Norm(), std::sqrt(0.5), 1e-8);
 }
 
@@ -84,20 +73,21 @@ TEST(ImplicitSampler, the_frame_is_that_of_the_surface_not_of_the_box)
     const ImplicitSampler sampler = surfaceOf(sphere, cube(10));
     // 20,000 samples on a sphere leave caps of 1/20,000 of its area, 1e-4 of its radius high.
     EXPECT_NEAR(sampler.frame().diagonal(), 2 * std::sqrt(1.5), 2e-3);
-    EXPECT_NEAR(sampler.bounds().Diag(), 1, 1e-9);
+    EXPECT_NEAR(toVcg(sampler.bounds()).Diag(), 1, 1e-9);
 }
 
 TEST(ImplicitSampler, leaves_out_poles_where_the_sign_changes_without_a_root)
 {
     // Zero on the sphere, infinite on the plane x = 0.0123.
     for (const vcg::Point3d &p :
-         drawFrom(surfaceOf("(x*x + y*y + z*z - 0.5) / (x - 0.0123)"), 20000))
+         test::drawWorld(surfaceOf("(x*x + y*y + z*z - 0.5) / (x - 0.0123)"), 1, 20000))
         ASSERT_NEAR(p.Norm(), std::sqrt(0.5), 1e-6);
 }
 
 TEST(ImplicitSampler, the_same_random_numbers_give_the_same_samples)
 {
-    EXPECT_EQ(drawFrom(surfaceOf(torus), 1000), drawFrom(surfaceOf(torus), 1000));
+    EXPECT_EQ(test::drawWorld(surfaceOf(torus), 1, 1000),
+              test::drawWorld(surfaceOf(torus), 1, 1000));
 }
 
 TEST(ImplicitSampler, says_what_does_not_parse_and_where)

@@ -18,9 +18,9 @@ Box3 boundsOf(const std::vector<Point3> &points)
 }
 
 /// A sphere of 10,000 points with `outliers` more, uniform in the box of twice its size.
-std::vector<Point3> sphereWithOutliers(int outliers)
+test::WorldPoints sphereWithOutliers(int outliers)
 {
-    std::vector<Point3> points = test::spherePoints(10000, 1);
+    test::WorldPoints points = test::spherePoints(10000, 1);
     Random random(2);
     for (int i = 0; i < outliers; ++i)
         points.emplace_back(4 * random.unit() - 2, 4 * random.unit() - 2, 4 * random.unit() - 2);
@@ -74,15 +74,12 @@ TEST(OutlierFilter, leaves_small_clouds_alone)
 
 TEST(OutlierFilter, a_sampler_draws_no_outliers)
 {
-    std::vector<vcg::Point3d> points = sphereWithOutliers(500);
+    test::WorldPoints points = sphereWithOutliers(500);
     const PointCloudSampler sampler(points);
     EXPECT_NEAR(sampler.outlierShare(), 500.0 / 10500, 0.01);
-    Random random(1);
-    std::vector<Point3> samples;
-    sampler.draw(random, 20000, samples);
     int far = 0;
-    for (const Point3 &sample : samples)
-        far += std::abs(sampler.frame().toWorld(sample).Norm() - 1) > 0.1 ? 1 : 0;
+    for (const vcg::Point3d &p : test::drawWorld(sampler, 1, 20000))
+        far += std::abs(p.Norm() - 1) > 0.1 ? 1 : 0;
     EXPECT_LT(far, 20); // of some 900 without the filter
 }
 

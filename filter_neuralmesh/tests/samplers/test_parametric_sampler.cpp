@@ -54,15 +54,11 @@ TEST(ParametricSampler, is_uniform_by_area_however_unevenly_the_parameters_run)
 TEST(ParametricSampler, samples_lie_on_the_surface_in_its_bounds)
 {
     const ParametricSampler sampler = surfaceOf(torus);
-    Random random(1);
-    std::vector<Point3> samples;
-    sampler.draw(random, 10000, samples);
-    Box3 grown = sampler.bounds();
+    Box3 grown = toVcg(sampler.bounds());
     grown.Offset(1e-3); // the nodes of the grid miss the very ends
-    for (const Point3 &sample : samples) {
-        const vcg::Point3d p = sampler.frame().toWorld(sample);
+    for (const vcg::Point3d &p : test::drawWorld(sampler, 1, 10000)) {
         EXPECT_NEAR(std::hypot(std::hypot(p.X(), p.Y()) - 2, p.Z()), 1, 1e-12);
-        EXPECT_TRUE(grown.IsIn(sample));
+        EXPECT_TRUE(grown.IsIn(toUnit(sampler.frame(), p)));
     }
     EXPECT_NEAR(sampler.frame().diagonal(), std::sqrt(6 * 6 + 6 * 6 + 2 * 2), 1e-3);
 }

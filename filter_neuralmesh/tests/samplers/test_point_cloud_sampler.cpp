@@ -11,7 +11,7 @@
 namespace neuralmesh {
 namespace {
 
-using Points = std::vector<vcg::Point3d>;
+using Points = test::WorldPoints;
 
 std::string refusal(const Points &points)
 {
@@ -28,14 +28,9 @@ const Points tetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 TEST(PointCloudSampler, draws_every_point_with_the_same_probability)
 {
     const PointCloudSampler sampler(tetrahedron);
-    Random random(1);
-    std::vector<Point3> samples;
-    sampler.draw(random, 100000, samples);
     std::map<int, int> counts;
-    for (const Point3 &sample : samples) {
-        const vcg::Point3d world = sampler.frame().toWorld(sample);
+    for (const vcg::Point3d &world : test::drawWorld(sampler, 1, 100000))
         ++counts[static_cast<int>(std::lround(world.X() + 2 * world.Y() + 3 * world.Z()))];
-    }
     ASSERT_EQ(counts.size(), 4U);
     // Five standard deviations of a binomial(100000, 1/4): 685.
     for (const auto &[point, count] : counts)
@@ -48,8 +43,8 @@ TEST(PointCloudSampler, the_unit_frame_is_centred_with_unit_diagonal)
     for (vcg::Point3d &p : far)
         p = p * 1000.0 + vcg::Point3d(500000, 4500000, 100);
     const PointCloudSampler sampler(far);
-    EXPECT_NEAR(sampler.bounds().Diag(), 1, 1e-9);
-    EXPECT_NEAR(sampler.bounds().Center().Norm(), 0, 1e-9);
+    EXPECT_NEAR(toVcg(sampler.bounds()).Diag(), 1, 1e-9);
+    EXPECT_NEAR(toVcg(sampler.bounds()).Center().Norm(), 0, 1e-9);
     EXPECT_NEAR(sampler.frame().diagonal(), 1000 * std::sqrt(3.0), 1e-6);
 }
 
@@ -103,14 +98,9 @@ TEST(PointCloudSampler, draws_points_in_proportion_to_a_density)
 {
     const PointCloudSampler sampler({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}},
                                     {0.1, 0.2, 0.3, 0.4, 0});
-    Random random(1);
-    std::vector<Point3> samples;
-    sampler.draw(random, 100000, samples);
     std::map<int, int> counts;
-    for (const Point3 &sample : samples) {
-        const vcg::Point3d world = sampler.frame().toWorld(sample);
+    for (const vcg::Point3d &world : test::drawWorld(sampler, 1, 100000))
         ++counts[static_cast<int>(std::lround(world.X() + 2 * world.Y() + 3 * world.Z()))];
-    }
     ASSERT_EQ(counts.size(), 4U); // the last point is never drawn
     // Five standard deviations of a binomial: at most 775.
     for (int i = 0; i < 4; ++i)

@@ -13,17 +13,6 @@ namespace {
 
 using test::TemporaryFile;
 
-std::vector<vcg::Point3d> drawWorld(const Sampler &sampler, std::size_t count)
-{
-    Random random(7);
-    std::vector<Point3> samples;
-    sampler.draw(random, count, samples);
-    std::vector<vcg::Point3d> world;
-    for (const Point3 &sample : samples)
-        world.push_back(sampler.frame().toWorld(sample));
-    return world;
-}
-
 std::string refusal(const std::string &content)
 {
     const TemporaryFile file(content);
@@ -47,7 +36,7 @@ TEST(PointFileSampler, draws_what_the_same_points_in_memory_give)
     EXPECT_EQ(inFile.pointCount(), 5003U);
     EXPECT_EQ(inFile.bounds().min, inMemory.bounds().min);
     EXPECT_EQ(inFile.bounds().max, inMemory.bounds().max);
-    EXPECT_EQ(drawWorld(inFile, 20000), drawWorld(inMemory, 20000));
+    EXPECT_EQ(test::drawWorld(inFile, 7, 20000), test::drawWorld(inMemory, 7, 20000));
 }
 
 TEST(PointFileSampler, draws_no_outliers)
@@ -60,7 +49,7 @@ TEST(PointFileSampler, draws_no_outliers)
     const PointFileSampler sampler(file.path());
     EXPECT_NEAR(sampler.outlierShare(), 500.0 / 10500, 0.01);
     int far = 0;
-    for (const vcg::Point3d &p : drawWorld(sampler, 20000))
+    for (const vcg::Point3d &p : test::drawWorld(sampler, 7, 20000))
         far += std::abs(p.Norm() - 1) > 0.1 ? 1 : 0;
     EXPECT_LT(far, 20); // of some 900 without the filter
 }
@@ -91,7 +80,7 @@ TEST(PointFileSampler, believes_a_las_header_only_where_its_bounds_fit_the_point
         const PointFileSampler sampler(file.path());
         // The sphere reaches to within 0.01 of its box in every direction.
         EXPECT_NEAR(sampler.frame().diagonal(), 2 * std::sqrt(3.0), 0.03);
-        EXPECT_LT((sampler.frame().toWorld({0, 0, 0}) - shift).Norm(), 0.03);
+        EXPECT_LT((toWorld(sampler.frame(), {0, 0, 0}) - shift).Norm(), 0.03);
     }
 }
 
@@ -124,9 +113,9 @@ TEST(PointFileSampler, notices_that_the_file_shrinks_or_is_written_to)
     const std::string content = test::npyOf<double>(test::spherePoints(100, 1));
     const TemporaryFile file(content);
     const PointFileSampler sampler(file.path());
-    drawWorld(sampler, 10);
+    test::drawWorld(sampler, 7, 10);
     file.write(content.substr(0, content.size() / 2));
-    EXPECT_THROW(drawWorld(sampler, 10), InvalidInput);
+    EXPECT_THROW(test::drawWorld(sampler, 7, 10), InvalidInput);
 }
 
 TEST(PointFileSampler, can_be_cancelled_while_it_reads_the_file)

@@ -7,7 +7,7 @@
 namespace neuralmesh {
 namespace {
 
-using Points = std::vector<vcg::Point3d>;
+using Points = test::WorldPoints;
 using Faces = std::vector<Corners>;
 
 /// A regular tetrahedron of four faces of the same area.
@@ -76,15 +76,11 @@ TEST(SurfaceSampler, follows_a_density_that_is_linear_on_each_face)
     // Density 1 at corner 0, 0 at the others: on the three sides around it, the weight of corner 0
     // has density 6 w (1 - w), so its mean is 1/2, and that of its square 0.3.
     const SurfaceSampler sampler(corners, sides, {1, 0, 0, 0});
-    Random random(1);
-    std::vector<Point3> samples;
     const int count = 100000;
-    sampler.draw(random, count, samples);
     double sum = 0;
     double squares = 0;
     double other = 0;
-    for (const Point3 &sample : samples) {
-        const vcg::Point3d p = sampler.frame().toWorld(sample);
+    for (const vcg::Point3d &p : test::drawWorld(sampler, 1, count)) {
         const double weight = 0.25 * (1 + p * corners[0]);
         sum += weight / count;
         squares += weight * weight / count;

@@ -14,10 +14,10 @@
 namespace neuralmesh {
 namespace {
 
-std::vector<vcg::Point3d> torusPoints(std::size_t count, const vcg::Point3d &centre)
+test::WorldPoints torusPoints(std::size_t count, const vcg::Point3d &centre)
 {
     Random random(5);
-    std::vector<vcg::Point3d> points;
+    test::WorldPoints points;
     while (points.size() < count) {
         const double a = 2 * M_PI * random.unit();
         const double b = 2 * M_PI * random.unit();
@@ -38,15 +38,15 @@ GrowthParameters fromGiven(int target)
 }
 
 /// Into the frame of the samples.
-void toUnit(NeuralMesh &mesh, const UnitFrame &frame)
+void moveToUnit(NeuralMesh &mesh, const UnitFrame &frame)
 {
     for (NeuralVertex &vertex : mesh.vert)
-        vertex.P() = frame.toUnit(vertex.cP());
+        vertex.P() = toUnit(frame, vertex.cP());
 }
 
 TEST(StartingMesh, solids_are_regular_and_turned_outwards)
 {
-    const std::vector<vcg::Point3d> ball = test::spherePoints(20000, 1);
+    const test::WorldPoints ball = test::spherePoints(20000, 1);
     const struct {
         StartMesh solid;
         int vertices, valence;
@@ -93,7 +93,7 @@ TEST(StartingMesh, a_torus_gives_genus_1_to_the_end)
     const PointCloudSampler sampler(torusPoints(20000, {0, 0, 0}));
     NeuralMesh mesh;
     test::makeTorus(mesh, 8, 5);
-    toUnit(mesh, sampler.frame());
+    moveToUnit(mesh, sampler.frame());
     const GrowthReport report = grow(mesh, sampler, fromGiven(1500));
     validate(mesh);
     EXPECT_TRUE(report.reachedTarget);
@@ -110,7 +110,7 @@ TEST(StartingMesh, a_torus_gives_genus_1_to_the_end)
 TEST(StartingMesh, several_components_stay_apart)
 {
     // A torus and a sphere beside it, from a torus and a tetrahedron.
-    std::vector<vcg::Point3d> points = torusPoints(20000, {0, 0, 0});
+    test::WorldPoints points = torusPoints(20000, {0, 0, 0});
     for (const vcg::Point3d &p : test::spherePoints(8000, 1))
         points.push_back(p + vcg::Point3d(6, 0, 0));
     const PointCloudSampler sampler(points);
@@ -124,7 +124,7 @@ TEST(StartingMesh, several_components_stay_apart)
     for (VertexId v = 0; v < 4; ++v)
         for (const VertexId u : tetrahedron.ring(v))
             mesh.ring(first + v).pushBack(first + u);
-    toUnit(mesh, sampler.frame());
+    moveToUnit(mesh, sampler.frame());
     EXPECT_TRUE(grow(mesh, sampler, fromGiven(1200)).reachedTarget);
     validate(mesh);
     const TopologyFigures topology = measureTopology(mesh);
@@ -163,7 +163,7 @@ TEST(StartingMesh, one_as_large_as_the_target_is_drawn_to_the_samples)
     const PointCloudSampler sampler(torusPoints(20000, {0, 0, 0}));
     NeuralMesh mesh;
     test::makeTorus(mesh, 40, 20);
-    toUnit(mesh, sampler.frame());
+    moveToUnit(mesh, sampler.frame());
     for (NeuralVertex &vertex : mesh.vert)
         vertex.P() = vertex.cP() * 1.2 + Point3(0.03, 0, 0);
     const GrowthReport report = grow(mesh, sampler, fromGiven(800));

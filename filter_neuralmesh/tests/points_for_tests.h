@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Points with arithmetic, on both sides of the plain points that samplers take and give.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "core/space/plain_points.h"
+#include "neuralmesh/sampler.h"
+
+namespace neuralmesh::test {
+
+/// Points in world coordinates. Samplers take them as they are.
+struct WorldPoints : std::vector<vcg::Point3d> {
+    using std::vector<vcg::Point3d>::vector;
+
+    operator std::vector<Point>() const
+    {
+        std::vector<Point> plain;
+        for (const vcg::Point3d &p : *this)
+            plain.push_back(toPlain(p));
+        return plain;
+    }
+};
+
+/// Samples in the unit frame.
+inline std::vector<Point3> drawUnit(const Sampler &sampler, Random &random, std::size_t count)
+{
+    std::vector<Point> drawn;
+    sampler.draw(random, count, drawn);
+    return toVcg(drawn);
+}
+
+/// Samples in world coordinates.
+inline WorldPoints drawWorld(const Sampler &sampler, std::uint64_t seed, std::size_t count)
+{
+    Random random(seed);
+    std::vector<Point> drawn;
+    sampler.draw(random, count, drawn);
+    WorldPoints samples;
+    for (const Point &sample : drawn)
+        samples.push_back(toVcg(sampler.frame().toWorld(sample)));
+    return samples;
+}
+
+/// Points uniform on the unit sphere by area (Archimedes).
+inline WorldPoints spherePoints(std::size_t count, std::uint64_t seed)
+{
+    Random random(seed);
+    WorldPoints points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double z = 2 * random.unit() - 1;
+        const double angle = 2 * M_PI * random.unit();
+        const double r = std::sqrt(1 - z * z);
+        points.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+    }
+    return points;
+}
+
+} // namespace neuralmesh::test
