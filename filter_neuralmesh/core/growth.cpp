@@ -66,7 +66,7 @@ void finishMesh(NeuralMesh &mesh)
 class Growth {
 public:
     Growth(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-           Random &random, const Progress &progress, const SnapshotTaker &takeSnapshot)
+           Random &random, const Progress &progress, const NetworkTaker &takeSnapshot)
         : parameters_(parameters), sampler_(sampler), progress_(progress),
           takeSnapshot_(takeSnapshot), random_(random),
           measuring_(randomStream(parameters.seed, Purpose::measuring)),
@@ -282,7 +282,7 @@ private:
     const GrowthParameters &parameters_;
     const Sampler &sampler_;
     const Progress &progress_;
-    const SnapshotTaker &takeSnapshot_;
+    const NetworkTaker &takeSnapshot_;
     Random &random_;
     Random measuring_; ///< of its own, so that measuring changes nothing
     GrowingNetwork network_;
@@ -302,21 +302,21 @@ void requireEnoughPoints(const Sampler &sampler, int target)
     const auto wanted = static_cast<std::size_t>(target);
     const std::size_t distinct = sampler.countDistinctPoints(wanted);
     if (distinct < wanted)
-        throw InvalidInput("TargetVertNum is " + std::to_string(target) + ", but there are only " +
-                           std::to_string(distinct) + " distinct points to draw from: at most " +
-                           std::to_string(distinct) + " vertices are possible.");
+        throw InvalidParameter(Parameter::targetVertexCount,
+                               InvalidParameter::Problem::aboveDistinctPoints, target,
+                               static_cast<double>(distinct));
 }
 
 void requireRoomAbove(int startingVertices, const GrowthParameters &parameters)
 {
-    const std::string start =
-        ", fewer than the " + std::to_string(startingVertices) + " vertices of the starting mesh.";
-    if (startingVertices > parameters.targetVertexCount)
-        throw InvalidInput("TargetVertNum is " + std::to_string(parameters.targetVertexCount) +
-                           start);
-    if (!parameters.snapshots.empty() && parameters.snapshots.front() < startingVertices)
-        throw InvalidInput("Snapshots names " + std::to_string(parameters.snapshots.front()) +
-                           " vertices" + start);
+    const auto requireAtLeast = [&](Parameter parameter, int count) {
+        if (count < startingVertices)
+            throw InvalidParameter(parameter, InvalidParameter::Problem::belowStart, count,
+                                   startingVertices);
+    };
+    requireAtLeast(Parameter::targetVertexCount, parameters.targetVertexCount);
+    if (!parameters.snapshots.empty())
+        requireAtLeast(Parameter::snapshots, parameters.snapshots.front());
 }
 
 bool startsFromData(const GrowthParameters &parameters)
@@ -328,7 +328,7 @@ bool startsFromData(const GrowthParameters &parameters)
 } // namespace
 
 GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-                  const Progress &progress, const SnapshotTaker &takeSnapshot)
+                  const Progress &progress, const NetworkTaker &takeSnapshot)
 {
     parameters.validate();
     requireEnoughPoints(sampler, parameters.targetVertexCount);

@@ -31,7 +31,7 @@ struct GrowthReport {
 };
 
 /// Given each snapshot as it is taken, with faces.
-using SnapshotTaker = std::function<void(std::unique_ptr<NeuralMesh> snapshot)>;
+using NetworkTaker = std::function<void(std::unique_ptr<NeuralMesh> snapshot)>;
 
 /// Grows `mesh` from parameters.startMesh towards the sampler's target space, to exactly
 /// parameters.targetVertexCount vertices. The result is a closed oriented two-manifold, its
@@ -49,10 +49,10 @@ using SnapshotTaker = std::function<void(std::unique_ptr<NeuralMesh> snapshot)>;
 /// happens when the target is close to the number of distinct points, vertices are no longer
 /// removed, and the report's keptIdle is true.
 ///
-/// Throws InvalidInput for parameters out of range, a target above the number of distinct points,
-/// and a target or a snapshot with fewer vertices than the starting mesh; Cancelled when `progress`
-/// returns false.
+/// Throws InvalidParameter for parameters out of range, a target above the number of distinct
+/// points, and a target or a snapshot with fewer vertices than the starting mesh; Cancelled when
+/// `progress` returns false.
 GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-                  const Progress &progress = {}, const SnapshotTaker &takeSnapshot = {});
+                  const Progress &progress = {}, const NetworkTaker &takeSnapshot = {});
 
 } // namespace neuralmesh

@@ -1,38 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "neuralmesh/parameters.h"
 
-#include <string>
-
 #include "neuralmesh/errors.h"
 
 namespace neuralmesh {
 namespace {
 
-void requireRate(const char *name, double value)
+using Problem = InvalidParameter::Problem;
+
+void requireRate(Parameter parameter, double value)
 {
     // Written so that NaN is refused too.
     if (!(value > 0 && value < 1))
-        throw InvalidInput(std::string(name) + " must lie between 0 and 1, both excluded.");
+        throw InvalidParameter(parameter, Problem::noRate, value, 1);
 }
 
-void requireAtLeast(const char *name, int value, int least)
+void requireAtLeast(Parameter parameter, int value, int least)
 {
     if (value < least)
-        throw InvalidInput(std::string(name) + " must be at least " + std::to_string(least) +
-                           ", not " + std::to_string(value) + ".");
+        throw InvalidParameter(parameter, Problem::belowLeast, value, least);
 }
 
 void requireSnapshots(const std::vector<int> &counts, int target)
 {
+    const auto refuse = [](Problem problem, int count, int limit) {
+        throw InvalidParameter(Parameter::snapshots, problem, count, limit);
+    };
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        const std::string named = "Snapshots names " + std::to_string(counts[i]) + " vertices";
         if (i > 0 && counts[i] == counts[i - 1])
-            throw InvalidInput(named + " twice.");
+            refuse(Problem::repeated, counts[i], counts[i - 1]);
         if (i > 0 && counts[i] < counts[i - 1])
-            throw InvalidInput(named + " after more of them.");
+            refuse(Problem::notAscending, counts[i], counts[i - 1]);
         if (counts[i] > target)
-            throw InvalidInput(named + ", more than TargetVertNum, which is " +
-                               std::to_string(target) + ".");
+            refuse(Problem::aboveTarget, counts[i], target);
     }
 }
 
@@ -40,13 +40,13 @@ void requireSnapshots(const std::vector<int> &counts, int target)
 
 void GrowthParameters::validate() const
 {
-    requireAtLeast("TargetVertNum", targetVertexCount, 4);
-    requireRate("WinnerRate", winnerRate);
-    requireRate("SmoothingRate", smoothingRate);
-    requireAtLeast("SmoothingPasses", smoothingPasses, 1);
-    requireAtLeast("SignalsPerSplit", signalsPerSplit, 1);
-    requireAtLeast("InactivityFactor", inactivityFactor, 1);
-    requireRate("CounterDecay", counterDecay);
+    requireAtLeast(Parameter::targetVertexCount, targetVertexCount, 4);
+    requireRate(Parameter::winnerRate, winnerRate);
+    requireRate(Parameter::smoothingRate, smoothingRate);
+    requireAtLeast(Parameter::smoothingPasses, smoothingPasses, 1);
+    requireAtLeast(Parameter::signalsPerSplit, signalsPerSplit, 1);
+    requireAtLeast(Parameter::inactivityFactor, inactivityFactor, 1);
+    requireRate(Parameter::counterDecay, counterDecay);
     requireSnapshots(snapshots, targetVertexCount);
 }
 

@@ -2,22 +2,13 @@
 #include "attributes.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/space/plain_points.h"
 #include "layers.h"
-#include "neuralmesh/random.h"
-#include "samplers/alias_table.h"
 
 namespace {
 
 using neuralmesh::AttributeTransfer;
 using neuralmesh::AttributeValues;
-using neuralmesh::Corners;
-using neuralmesh::Point;
-
-/// Of the places on faces at which attributes are looked at: the same at every run.
-constexpr std::uint64_t seedOfPlaces = 1;
 
 /// Attributes of the vertices that are not deleted, as worldPoints() numbers them.
 std::vector<AttributeValues> vertexAttributes(const MeshModel &layer)
@@ -32,53 +23,14 @@ std::vector<AttributeValues> vertexAttributes(const MeshModel &layer)
     return values;
 }
 
-class LayerReader {
-public:
-    LayerReader(AttributeTransfer &transfer, const neuralmesh::UnitFrame &frame)
-        : transfer_(transfer), frame_(frame)
-    {
-    }
-
-    /// Every stride-th vertex.
-    void addVertices(const MeshModel &layer, std::size_t stride)
-    {
-        const std::vector<Point> points = worldPoints(layer);
-        const std::vector<AttributeValues> values = vertexAttributes(layer);
-        for (std::size_t i = 0; i < points.size(); i += stride)
-            transfer_.add(neuralmesh::toVcg(frame_.toUnit(points[i])), values[i]);
-    }
-
-    /// Places uniform on the faces.
-    void addFaces(const MeshModel &layer, std::size_t count)
-    {
-        std::vector<vcg::Point3d> points;
-        for (const Point &p : worldPoints(layer))
-            points.push_back(neuralmesh::toVcg(p));
-        const std::vector<AttributeValues> values = vertexAttributes(layer);
-        const std::vector<Corners> faces = faceCorners(layer);
-        std::vector<double> areas;
-        for (const Corners &f : faces)
-            areas.push_back(((points[f[1]] - points[f[0]]) ^ (points[f[2]] - points[f[0]])).Norm());
-        const neuralmesh::AliasTable table(areas);
-        neuralmesh::Random random(seedOfPlaces);
-        for (std::size_t i = 0; i < count; ++i) {
-            const Corners &f = faces[table.draw(random)];
-            const double root = std::sqrt(random.unit()); // uniform in the triangle (Turk 1990)
-            const double share = random.unit();
-            const double w[3] = {1 - root, root * (1 - share), root * share};
-            AttributeValues mixed{};
-            for (std::size_t k = 0; k < mixed.size(); ++k)
-                mixed[k] = w[0] * values[f[0]][k] + w[1] * values[f[1]][k] + w[2] * values[f[2]][k];
-            transfer_.add(neuralmesh::toUnit(frame_, points[f[0]] * w[0] + points[f[1]] * w[1] +
-                                                         points[f[2]] * w[2]),
-                          mixed);
-        }
-    }
-
-private:
-    AttributeTransfer &transfer_;
-    const neuralmesh::UnitFrame &frame_;
-};
+/// Every stride-th vertex.
+void addVertices(AttributeTransfer &transfer, const MeshModel &layer, std::size_t stride)
+{
+    const std::vector<neuralmesh::Point> points = worldPoints(layer);
+    const std::vector<AttributeValues> values = vertexAttributes(layer);
+    for (std::size_t i = 0; i < points.size(); i += stride)
+        transfer.add(points[i], values[i]);
+}
 
 bool anyHas(const AttributeSource &source, int mask)
 {
@@ -88,26 +40,23 @@ bool anyHas(const AttributeSource &source, int mask)
 
 } // namespace
 
-Attributes transferAttributes(const AttributeSource &source, const neuralmesh::NeuralMesh &network,
-                              const neuralmesh::UnitFrame &frame, const neuralmesh::Box3 &bounds)
+Attributes transferAttributes(const AttributeSource &source, const neuralmesh::Mesh &mesh)
 {
     Attributes attributes;
     attributes.hasColour = anyHas(source, MeshModel::MM_VERTCOLOR);
     attributes.hasQuality = anyHas(source, MeshModel::MM_VERTQUALITY);
     if (!attributes.hasColour && !attributes.hasQuality)
         return attributes;
-    const std::size_t enough =
-        AttributeTransfer::pointsPerVertex * static_cast<std::size_t>(network.vn);
+    const std::size_t enough = AttributeTransfer::pointsPerVertex * mesh.positions.size();
     std::size_t vertices = 0;
     for (const MeshModel *layer : source.layers)
         vertices += static_cast<std::size_t>(layer->cm.vn);
-    AttributeTransfer transfer(network, bounds);
-    LayerReader reader(transfer, frame);
+    AttributeTransfer transfer(mesh);
     for (const MeshModel *layer : source.layers)
         if (source.onFaces)
-            reader.addFaces(*layer, enough);
+            transfer.addSurface(worldMesh(*layer), vertexAttributes(*layer), enough);
         else
-            reader.addVertices(*layer, vertices / enough + 1);
+            addVertices(transfer, *layer, vertices / enough + 1);
     attributes.values = transfer.average();
     return attributes;
 }

@@ -6,8 +6,7 @@
 
 #include <common/ml_document/mesh_document.h>
 
-#include "core/result/attribute_transfer.h"
-#include "neuralmesh/unit_frame.h"
+#include "neuralmesh/attribute_transfer.h"
 
 /// Layers whose attributes the result may take: those of their vertices, or of places all over
 /// their faces, between the vertices' values.
@@ -16,17 +15,16 @@ struct AttributeSource {
     bool onFaces = false;
 };
 
-/// Of the live vertices of a network, in order of their ids. Empty values: nothing to transfer.
+/// Of the vertices of a result. Empty values: nothing to transfer.
 struct Attributes {
     bool hasColour = false;
     bool hasQuality = false;
     std::vector<neuralmesh::AttributeValues> values;
 };
 
-/// Averages the layers' colours and qualities onto the network's vertices, as far as any layer has
+/// Averages the layers' colours and qualities onto the result's vertices, as far as any layer has
 /// them. Looks at a bounded number of points for each vertex, whatever the layers' size.
-Attributes transferAttributes(const AttributeSource &source, const neuralmesh::NeuralMesh &network,
-                              const neuralmesh::UnitFrame &frame, const neuralmesh::Box3 &bounds);
+Attributes transferAttributes(const AttributeSource &source, const neuralmesh::Mesh &mesh);
 
-/// Gives the attributes to the layer made of the same network.
+/// Gives the attributes to the layer made of the same result.
 void setAttributes(MeshModel &layer, const Attributes &attributes);

@@ -3,14 +3,12 @@
 
 #include <chrono>
 
-#include "core/growth.h"
-#include "core/space/plain_points.h"
+#include "error_sentences.h"
 #include "filter_descriptions.h"
 #include "filter_parameters.h"
 #include "filter_results.h"
 #include "host_progress.h"
 #include "layers.h"
-#include "neuralmesh/errors.h"
 
 namespace {
 
@@ -123,9 +121,9 @@ std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *act
         default: wrongActionCalled(action); return {};
         }
     } catch (const neuralmesh::InvalidInput &error) {
-        throw MLException(error.what());
-    } catch (const neuralmesh::Cancelled &cancelled) {
-        throw MLException(cancelled.what());
+        throw MLException(QString::fromStdString(sentenceFor(error)));
+    } catch (const neuralmesh::Cancelled &) {
+        throw MLException("Cancelled: the document is as it was.");
     } catch (const std::bad_alloc &) {
         throw MLException("Too little memory for this input and TargetVertNum.");
     }
@@ -141,19 +139,18 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
     growthParameters.validate();
     const neuralmesh::Progress progress = throttledProgress(callback);
     const TargetSpace target = makeTarget(part(progress, 0, shareOfOpening));
-    const neuralmesh::UnitFrame &frame = target.sampler->frame();
 
     Reconstruction result;
     result.seed = growthParameters.seed;
-    result.diagonal = frame.diagonal();
-    if (growthParameters.startMesh == neuralmesh::StartMesh::given)
-        makeStartingMesh(result.mesh, startLayer(document, parameters.getMeshId("StartLayer")),
-                         frame);
-    const auto keep = [&](std::unique_ptr<neuralmesh::NeuralMesh> snapshot) {
+    const neuralmesh::Progress growing = part(progress, shareOfOpening, 1);
+    const auto keep = [&](neuralmesh::Mesh snapshot) {
         result.snapshots.push_back(std::move(snapshot));
     };
-    result.growth = neuralmesh::grow(result.mesh, *target.sampler, growthParameters,
-                                     part(progress, shareOfOpening, 1), keep);
+    result.result = growthParameters.startMesh == neuralmesh::StartMesh::given
+                        ? neuralmesh::reconstructFrom(
+                              worldMesh(startLayer(document, parameters.getMeshId("StartLayer"))),
+                              *target.sampler, growthParameters, growing, keep)
+                        : neuralmesh::reconstruct(*target.sampler, growthParameters, growing, keep);
     result.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
@@ -163,23 +160,20 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
     const bool withAttributes =
         !target.attributes.layers.empty() && parameters.getBool("TransferAttributes");
     // All that may fail comes before the document changes.
-    const auto attributesOf = [&](const neuralmesh::NeuralMesh &mesh) {
-        return withAttributes ? transferAttributes(target.attributes, mesh, frame,
-                                                   neuralmesh::toVcg(target.sampler->bounds()))
-                              : Attributes{};
+    const auto attributesOf = [&](const neuralmesh::Mesh &mesh) {
+        return withAttributes ? transferAttributes(target.attributes, mesh) : Attributes{};
     };
     std::vector<Attributes> attributes;
-    for (const auto &snapshot : result.snapshots)
-        attributes.push_back(attributesOf(*snapshot));
-    attributes.push_back(attributesOf(result.mesh));
+    for (const neuralmesh::Mesh &snapshot : result.snapshots)
+        attributes.push_back(attributesOf(snapshot));
+    attributes.push_back(attributesOf(result.result.mesh));
 
     const QString label = target.name + " neural mesh";
     for (std::size_t i = 0; i < result.snapshots.size(); ++i) {
-        const neuralmesh::NeuralMesh &snapshot = *result.snapshots[i];
-        setAttributes(
-            addLayer(document, snapshot, frame, label + " " + QString::number(snapshot.vn)),
-            attributes[i]);
+        const neuralmesh::Mesh &snapshot = result.snapshots[i];
+        const QString count = QString::number(snapshot.positions.size());
+        setAttributes(addLayer(document, snapshot, label + " " + count), attributes[i]);
     }
-    setAttributes(addLayer(document, result.mesh, frame, label), attributes.back());
+    setAttributes(addLayer(document, result.result.mesh, label), attributes.back());
     return resultValues(result);
 }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "layers.h"
 
-#include <cmath>
-
-#include "core/mesh/manifold_mesh.h"
-#include "core/space/plain_points.h"
 #include "neuralmesh/errors.h"
 
 namespace {
@@ -41,29 +37,32 @@ std::vector<neuralmesh::Point> worldPoints(const MeshModel &layer)
     std::vector<neuralmesh::Point> points;
     points.reserve(static_cast<std::size_t>(layer.cm.vn));
     for (const CVertexO &vertex : layer.cm.vert)
-        if (!vertex.IsD())
-            points.push_back(neuralmesh::toPlain(matrix * vcg::Point3d::Construct(vertex.cP())));
+        if (!vertex.IsD()) {
+            const vcg::Point3d p = matrix * vcg::Point3d::Construct(vertex.cP());
+            points.push_back({p.X(), p.Y(), p.Z()});
+        }
     return points;
 }
 
-std::vector<neuralmesh::Corners> faceCorners(const MeshModel &layer)
+neuralmesh::Mesh worldMesh(const MeshModel &layer)
 {
-    std::vector<neuralmesh::VertexId> places(layer.cm.vert.size(), neuralmesh::noVertex);
+    std::vector<neuralmesh::VertexId> places(layer.cm.vert.size());
     neuralmesh::VertexId place = 0;
     for (std::size_t i = 0; i < places.size(); ++i)
         if (!layer.cm.vert[i].IsD())
             places[i] = place++;
-    std::vector<neuralmesh::Corners> faces;
-    faces.reserve(static_cast<std::size_t>(layer.cm.fn));
+    neuralmesh::Mesh mesh;
+    mesh.positions = worldPoints(layer);
+    mesh.triangles.reserve(static_cast<std::size_t>(layer.cm.fn));
     for (const CFaceO &face : layer.cm.face) {
         if (face.IsD())
             continue;
         neuralmesh::Corners corners;
         for (int c = 0; c < 3; ++c)
             corners[static_cast<std::size_t>(c)] = places[vcg::tri::Index(layer.cm, face.cV(c))];
-        faces.push_back(corners);
+        mesh.triangles.push_back(corners);
     }
-    return faces;
+    return mesh;
 }
 
 std::vector<double> vertexQualities(const MeshModel &layer)
@@ -79,19 +78,6 @@ std::vector<double> vertexQualities(const MeshModel &layer)
     return qualities;
 }
 
-void makeStartingMesh(neuralmesh::NeuralMesh &mesh, const MeshModel &layer,
-                      const neuralmesh::UnitFrame &frame)
-{
-    std::vector<neuralmesh::Point3> points;
-    for (const neuralmesh::Point &p : worldPoints(layer)) {
-        if (!std::isfinite(neuralmesh::toVcg(p).SquaredNorm()))
-            throw neuralmesh::InvalidInput("The starting layer has coordinates that are NaN, "
-                                           "infinite or too large.");
-        points.push_back(neuralmesh::toVcg(frame.toUnit(p)));
-    }
-    neuralmesh::makeManifold(mesh, points, faceCorners(layer));
-}
-
 QString nameOf(const MeshModel &layer)
 {
     QString name = QFileInfo(layer.label()).completeBaseName();
@@ -105,25 +91,18 @@ QString withoutDots(QString name)
     return name.replace('.', '_');
 }
 
-MeshModel &addLayer(MeshDocument &document, const neuralmesh::NeuralMesh &network,
-                    const neuralmesh::UnitFrame &frame, const QString &label)
+MeshModel &addLayer(MeshDocument &document, const neuralmesh::Mesh &result, const QString &label)
 {
     CMeshO mesh;
-    std::vector<std::size_t> places(network.vert.size());
-    auto vertex =
-        vcg::tri::Allocator<CMeshO>::AddVertices(mesh, static_cast<std::size_t>(network.vn));
-    std::size_t place = 0;
-    for (std::size_t id = 0; id < network.vert.size(); ++id) {
-        if (network.vert[id].IsD())
-            continue;
-        vertex->P() = Point3m::Construct(neuralmesh::toWorld(frame, network.vert[id].cP()));
+    auto vertex = vcg::tri::Allocator<CMeshO>::AddVertices(mesh, result.positions.size());
+    for (const neuralmesh::Point &p : result.positions) {
+        vertex->P() = Point3m::Construct(vcg::Point3d(p[0], p[1], p[2]));
         ++vertex;
-        places[id] = place++;
     }
-    auto face = vcg::tri::Allocator<CMeshO>::AddFaces(mesh, static_cast<std::size_t>(network.fn));
-    for (const neuralmesh::NeuralFace &source : network.face) {
-        for (int corner = 0; corner < 3; ++corner)
-            face->V(corner) = &mesh.vert[places[vcg::tri::Index(network, source.cV(corner))]];
+    auto face = vcg::tri::Allocator<CMeshO>::AddFaces(mesh, result.triangles.size());
+    for (const neuralmesh::Corners &corners : result.triangles) {
+        for (int c = 0; c < 3; ++c)
+            face->V(c) = &mesh.vert[corners[static_cast<std::size_t>(c)]];
         ++face;
     }
     // Updates the bounding box and the normals too.

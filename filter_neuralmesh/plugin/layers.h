@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one place where layers of the host's document become points, and the network a layer.
+// The one place where layers of the host's document become points and meshes, and a result a layer.
 #pragma once
 
 #include <common/ml_document/mesh_document.h>
 
-#include "core/mesh/face_table.h"
-#include "core/mesh/neural_mesh.h"
-#include "neuralmesh/unit_frame.h"
+#include "neuralmesh/geometry.h"
 
 /// The current layer. Throws InvalidInput where the document has none.
 const MeshModel &currentLayer(const MeshDocument &document);
@@ -17,15 +15,10 @@ const MeshModel &startLayer(const MeshDocument &document, unsigned int id);
 /// A layer as the core takes it: vertices and faces that are not deleted, in world coordinates,
 /// with the layer's matrix. Vertices are numbered without the deleted ones, as users see them.
 std::vector<neuralmesh::Point> worldPoints(const MeshModel &layer);
-std::vector<neuralmesh::Corners> faceCorners(const MeshModel &layer);
+neuralmesh::Mesh worldMesh(const MeshModel &layer);
 
 /// Quality of the same vertices. Throws InvalidInput where the layer has none.
 std::vector<double> vertexQualities(const MeshModel &layer);
-
-/// Makes `mesh` the layer's faces, in the frame given, for growth to start from. Throws
-/// InvalidInput where they are no closed two-manifold.
-void makeStartingMesh(neuralmesh::NeuralMesh &mesh, const MeshModel &layer,
-                      const neuralmesh::UnitFrame &frame);
 
 /// A layer's label, without its extension and without dots.
 QString nameOf(const MeshModel &layer);
@@ -33,8 +26,6 @@ QString nameOf(const MeshModel &layer);
 /// Without the dots that the host would take for a file's extension.
 QString withoutDots(QString name);
 
-/// Adds the network to the document as a new layer, current, with an identity matrix, in world
-/// coordinates, normals computed, its vertices in order of the network's ids. The network needs its
-/// faces; the label must not have dots.
-MeshModel &addLayer(MeshDocument &document, const neuralmesh::NeuralMesh &network,
-                    const neuralmesh::UnitFrame &frame, const QString &label);
+/// Adds the result to the document as a new layer, current, with an identity matrix, normals
+/// computed, its vertices and faces in the same order. The label must not have dots.
+MeshModel &addLayer(MeshDocument &document, const neuralmesh::Mesh &result, const QString &label);

@@ -5,12 +5,7 @@
 
 #include "layers.h"
 #include "neuralmesh/errors.h"
-#include "samplers/files/point_file_sampler.h"
-#include "samplers/input_checks.h"
-#include "samplers/points/point_cloud_sampler.h"
-#include "samplers/surfaces/implicit_sampler.h"
-#include "samplers/surfaces/parametric_sampler.h"
-#include "samplers/surfaces/surface_sampler.h"
+#include "neuralmesh/samplers.h"
 
 namespace {
 
@@ -46,9 +41,7 @@ public:
 
     TargetSpace targetSpace(const QString &name)
     {
-        auto sampler = std::make_unique<neuralmesh::PointCloudSampler>(
-            points_,
-            withDensity_ ? neuralmesh::densityFrom(std::move(qualities_)) : std::vector<double>());
+        auto sampler = neuralmesh::pointCloudSampler(points_, qualities_);
         const std::string remark = outlierRemark(sampler->outlierShare());
         return {std::move(sampler), name, remark, {layers_, false}};
     }
@@ -75,12 +68,9 @@ TargetSpace surfaceOfLayer(const MeshModel &layer, bool withDensity)
         throw InvalidInput("The current layer has no faces, so it has no surface to sample: choose "
                            "its points as the Source.");
     const std::vector<double> density =
-        withDensity ? neuralmesh::densityFrom(vertexQualities(layer)) : std::vector<double>();
-    return {std::make_unique<neuralmesh::SurfaceSampler>(worldPoints(layer), faceCorners(layer),
-                                                         density),
-            nameOf(layer),
-            {},
-            {{&layer}, true}};
+        withDensity ? vertexQualities(layer) : std::vector<double>();
+    return {
+        neuralmesh::surfaceSampler(worldMesh(layer), density), nameOf(layer), {}, {{&layer}, true}};
 }
 
 TargetSpace pointsOfVisibleLayers(const MeshDocument &document, bool withDensity)
@@ -98,10 +88,9 @@ TargetSpace pointsOfVisibleLayers(const MeshDocument &document, bool withDensity
     return points.targetSpace("visible layers");
 }
 
-neuralmesh::Expression expression(const RichParameterList &parameters, const char *name,
-                                  const char *variables)
+neuralmesh::Formula formula(const RichParameterList &parameters, const char *name)
 {
-    return {name, parameters.getString(name).toStdString(), variables};
+    return {name, parameters.getString(name).toStdString()};
 }
 
 TargetSpace pointFile(const QString &path, bool withDensity, const neuralmesh::Progress &progress)
@@ -111,7 +100,7 @@ TargetSpace pointFile(const QString &path, bool withDensity, const neuralmesh::P
     if (withDensity)
         throw InvalidInput("DensityFromQuality is for layers: a point file has no vertex quality.");
     const std::string encoded = QFile::encodeName(path).toStdString();
-    auto sampler = std::make_unique<neuralmesh::PointFileSampler>(encoded, progress);
+    auto sampler = neuralmesh::pointFileSampler(encoded, progress);
     const std::string remark = outlierRemark(sampler->outlierShare());
     const QString name = QFileInfo(path).completeBaseName();
     return {std::move(sampler),
@@ -145,27 +134,23 @@ TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocum
 
 TargetSpace makeImplicitSurface(const RichParameterList &parameters)
 {
-    const vcg::Box3d box(
+    const neuralmesh::Box box{
         {parameters.getFloat("minX"), parameters.getFloat("minY"), parameters.getFloat("minZ")},
-        {parameters.getFloat("maxX"), parameters.getFloat("maxY"), parameters.getFloat("maxZ")});
-    return {
-        std::make_unique<neuralmesh::ImplicitSampler>(expression(parameters, "expr", "xyz"), box),
-        "implicit surface",
-        {},
-        {}};
+        {parameters.getFloat("maxX"), parameters.getFloat("maxY"), parameters.getFloat("maxZ")}};
+    return {neuralmesh::implicitSurfaceSampler(formula(parameters, "expr"), box),
+            "implicit surface",
+            {},
+            {}};
 }
 
 TargetSpace makeParametricSurface(const RichParameterList &parameters)
 {
-    using Sampler = neuralmesh::ParametricSampler;
-    const Sampler::Range u{parameters.getFloat("minU"), parameters.getFloat("maxU")};
-    const Sampler::Range v{parameters.getFloat("minV"), parameters.getFloat("maxV")};
-    return {std::make_unique<Sampler>(
-                std::array<neuralmesh::Expression, 3>{expression(parameters, "x", "uv"),
-                                                      expression(parameters, "y", "uv"),
-                                                      expression(parameters, "z", "uv")},
-                u, v),
-            "parametric surface",
-            {},
-            {}};
+    const neuralmesh::Range u{parameters.getFloat("minU"), parameters.getFloat("maxU")};
+    const neuralmesh::Range v{parameters.getFloat("minV"), parameters.getFloat("maxV")};
+    return {
+        neuralmesh::parametricSurfaceSampler(
+            {formula(parameters, "x"), formula(parameters, "y"), formula(parameters, "z")}, u, v),
+        "parametric surface",
+        {},
+        {}};
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/space/point_statistics.h"
-#include "neuralmesh/errors.h"
+#include "neuralmesh/sampler_errors.h"
 
 namespace neuralmesh {
 namespace {
@@ -73,31 +73,31 @@ void requireSolid(const std::vector<Point3> &points)
     if (widths[1] < flatExtent)
         throw InvalidInput("All points lie on a line: there is no surface to reconstruct.");
     if (widths[0] < flatExtent)
-        throw InvalidInput("All points lie on a plane: a closed surface, which this filter "
-                           "makes, cannot be fitted to them.");
+        throw FlatTarget();
 }
 
-std::vector<double> densityFrom(std::vector<double> qualities)
+std::vector<double> densityShares(std::vector<double> density, std::size_t points)
 {
+    using Problem = InvalidDensity::Problem;
+    if (density.empty())
+        return density;
+    if (density.size() != points)
+        throw InvalidDensity(Problem::wrongCount, density.size());
     std::size_t broken = 0;
     std::size_t first = 0;
     double largest = 0;
-    for (std::size_t i = 0; i < qualities.size(); ++i) {
-        if (!(qualities[i] >= 0 && std::isfinite(qualities[i])) && broken++ == 0)
+    for (std::size_t i = 0; i < density.size(); ++i) {
+        if (!(density[i] >= 0 && std::isfinite(density[i])) && broken++ == 0)
             first = i;
-        largest = std::max(largest, qualities[i]);
+        largest = std::max(largest, density[i]);
     }
     if (broken > 0)
-        throw InvalidInput("DensityFromQuality: the quality of " + std::to_string(broken) + " of " +
-                           std::to_string(qualities.size()) +
-                           " vertices is negative, NaN or infinite (the first is vertex " +
-                           std::to_string(first) + ").");
+        throw InvalidDensity(Problem::notValid, density.size(), broken, first);
     if (!(largest > 0))
-        throw InvalidInput("DensityFromQuality: the quality of all vertices is 0, so none would be "
-                           "sampled.");
-    for (double &quality : qualities)
-        quality /= largest;
-    return qualities;
+        throw InvalidDensity(Problem::allZero, density.size());
+    for (double &value : density)
+        value /= largest;
+    return density;
 }
 
 } // namespace neuralmesh

@@ -35,11 +35,12 @@ UnitFrame frameOf(const vcg::Box3d &worldBounds);
 /// Throws InvalidInput where there are fewer distinct points than a tetrahedron has.
 void requireFourPoints(std::size_t distinct);
 
-/// Throws InvalidInput where the points, given in the unit frame, all lie on a line or a plane.
+/// Throws InvalidInput where the points, given in the unit frame, all lie on a line, FlatTarget
+/// where they lie on a plane.
 void requireSolid(const std::vector<Point3> &points);
 
-/// One probability density for each point, as shares of the largest. Throws InvalidInput, speaking
-/// of vertex quality, where one is negative, NaN or infinite, and where all are 0.
-std::vector<double> densityFrom(std::vector<double> qualities);
+/// Densities as shares of the largest; empty where none are given. Throws InvalidDensity where
+/// there is not one for each point, where one is negative, NaN or infinite, and where all are 0.
+std::vector<double> densityShares(std::vector<double> density, std::size_t points);
 
 } // namespace neuralmesh

@@ -2,7 +2,6 @@
 #include "core/mesh/manifold_mesh.h"
 
 #include <algorithm>
-#include <string>
 #include <tuple>
 #include <utility>
 
@@ -13,6 +12,8 @@ namespace neuralmesh {
 namespace {
 
 using Faces = std::vector<Corners>;
+using Problem = InvalidStartingMesh::Problem;
+
 constexpr std::size_t corner(std::size_t c)
 {
     return c % 3;
@@ -41,22 +42,15 @@ std::vector<Side> sortedSides(const Faces &faces)
     return sides;
 }
 
-std::string countOf(std::size_t count, const char *one, const char *many)
-{
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 void requireProperFaces(const Faces &faces)
 {
     if (faces.empty())
-        throw InvalidInput("The starting layer has no faces.");
+        throw InvalidStartingMesh(Problem::noFaces);
     const auto broken = std::count_if(faces.begin(), faces.end(), [](const Corners &f) {
         return f[0] == f[1] || f[1] == f[2] || f[2] == f[0];
     });
     if (broken > 0)
-        throw InvalidInput("The starting layer is not two-manifold: " +
-                           countOf(static_cast<std::size_t>(broken), "face names", "faces name") +
-                           " a vertex twice.");
+        throw InvalidStartingMesh(Problem::repeatedCorner, static_cast<std::uint64_t>(broken));
 }
 
 void requireTwoFacesAtEachEdge(const std::vector<Side> &sides)
@@ -73,13 +67,9 @@ void requireTwoFacesAtEachEdge(const std::vector<Side> &sides)
         i = end;
     }
     if (crowded > 0)
-        throw InvalidInput("The starting layer is not two-manifold: " +
-                           countOf(crowded, "edge belongs", "edges belong") +
-                           " to more than two faces.");
+        throw InvalidStartingMesh(Problem::crowdedEdge, crowded);
     if (open > 0)
-        throw InvalidInput(
-            "The starting layer is not closed: " + countOf(open, "edge belongs", "edges belong") +
-            " to one face only. Close its holes, or merge its close vertices.");
+        throw InvalidStartingMesh(Problem::openEdge, open);
 }
 
 /// Faces across each face's sides, and whether the two agree on their orientation.
@@ -149,8 +139,7 @@ void orient(const std::vector<Point3> &points, Faces &faces)
                     states[g] = wanted;
                     component.push_back(g);
                 } else if (states[g] != wanted) {
-                    throw InvalidInput("The starting layer is not orientable: its faces have no "
-                                       "common outside.");
+                    throw InvalidStartingMesh(Problem::notOrientable);
                 }
             });
         }
@@ -189,11 +178,9 @@ void makeRing(NeuralMesh &mesh, VertexId v, std::vector<std::pair<VertexId, Vert
         at = std::lower_bound(steps.begin(), steps.end(), std::make_pair(at, VertexId(0)))->second;
     } while (at != steps.front().first);
     if (mesh.ring(v).size() != static_cast<int>(steps.size()))
-        throw InvalidInput("The starting layer is not two-manifold: several fans of faces meet at "
-                           "one vertex.");
+        throw InvalidStartingMesh(Problem::severalFans);
     if (steps.size() < 3)
-        throw InvalidInput("The starting layer is not two-manifold: two faces have the same three "
-                           "vertices.");
+        throw InvalidStartingMesh(Problem::doubledFace);
 }
 
 } // namespace

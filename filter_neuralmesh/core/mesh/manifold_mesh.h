@@ -13,7 +13,7 @@ namespace neuralmesh {
 /// It may have handles and several components. Faces that agree on their orientation keep it; in a
 /// component where they do not, all are turned outwards.
 ///
-/// Throws InvalidInput, with a sentence about "the starting layer", where a face names a vertex
+/// Throws InvalidStartingMesh where there are no faces, a face names a vertex
 /// twice, an edge belongs to one face or to more than two, two faces have the same three corners,
 /// a vertex joins several fans of faces, or no orientation agrees (a Klein bottle).
 void makeManifold(NeuralMesh &mesh, const std::vector<Point3> &points,

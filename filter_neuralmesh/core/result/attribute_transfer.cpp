@@ -1,79 +1,190 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/result/attribute_transfer.h"
+#include "neuralmesh/attribute_transfer.h"
 
-#include "core/mesh/enumeration.h"
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/space/alias_table.h"
+#include "core/space/plain_points.h"
+#include "core/space/vertex_grid.h"
+#include "neuralmesh/random.h"
 
 namespace neuralmesh {
+namespace {
 
-AttributeTransfer::AttributeTransfer(const NeuralMesh &mesh, const Box3 &bounds)
-    : mesh_(mesh), grid_(bounds), sums_(mesh.idBound())
+/// Of the places on a surface.
+constexpr std::uint64_t seedOfPlaces = 1;
+
+struct Sum {
+    double weight = 0;
+    AttributeValues values{}; ///< weighted
+};
+
+Box3 boundsOf(const Mesh &mesh)
 {
-    double squares = 0;
-    double edges = 0;
-    forEachVertex(mesh, [&](VertexId v) { grid_.insert(v, mesh.position(v)); });
-    forEachEdge(mesh, [&](VertexId v, VertexId u) {
-        squares += (mesh.position(u) - mesh.position(v)).SquaredNorm();
-        ++edges;
-    });
-    squaredEdge_ = squares / edges;
+    Box3 bounds;
+    for (const Point &p : mesh.positions)
+        bounds.Add(toVcg(p));
+    return bounds;
 }
 
-void AttributeTransfer::add(const Point3 &point, const AttributeValues &values)
+Box3 unitBounds(const UnitFrame &frame, const Mesh &mesh)
 {
-    lastNearest_ = grid_.nearest(point, lastNearest_);
-    const double distance = (mesh_.position(lastNearest_) - point).SquaredNorm();
-    const double ratio = distance / squaredEdge_;
-    const double weight = 1 / (1 + ratio * ratio);
-    Sum &sum = sums_[lastNearest_];
-    sum.weight += weight;
-    for (std::size_t k = 0; k < values.size(); ++k)
-        sum.values[k] += weight * values[k];
+    const Box3 world = boundsOf(mesh);
+    return {toUnit(frame, world.min), toUnit(frame, world.max)};
+}
+
+/// By vertex: its neighbours, ascending.
+std::vector<std::vector<VertexId>> neighboursIn(const Mesh &mesh)
+{
+    std::vector<std::vector<VertexId>> neighbours(mesh.positions.size());
+    for (const Corners &face : mesh.triangles)
+        for (std::size_t c = 0; c < 3; ++c) {
+            neighbours[face[c]].push_back(face[(c + 1) % 3]);
+            neighbours[face[c]].push_back(face[(c + 2) % 3]);
+        }
+    for (std::vector<VertexId> &ring : neighbours) {
+        std::sort(ring.begin(), ring.end());
+        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    }
+    return neighbours;
+}
+
+} // namespace
+
+/// In the unit frame of the mesh, in which no square overflows.
+class AttributeTransfer::Vertices {
+public:
+    explicit Vertices(const Mesh &mesh)
+        : frame_(toPlain(boundsOf(mesh))), neighbours_(neighboursIn(mesh)),
+          grid_(unitBounds(frame_, mesh)), sums_(mesh.positions.size())
+    {
+        for (const Point &p : mesh.positions) {
+            positions_.push_back(toVcg(frame_.toUnit(p)));
+            grid_.insert(static_cast<VertexId>(positions_.size() - 1), positions_.back());
+        }
+        double squares = 0;
+        double edges = 0;
+        for (VertexId v = 0; v < positions_.size(); ++v)
+            for (const VertexId u : neighbours_[v]) {
+                squares += (positions_[u] - positions_[v]).SquaredNorm();
+                ++edges;
+            }
+        squaredEdge_ = squares / edges;
+    }
+
+    void add(const Point &world, const AttributeValues &values)
+    {
+        const Point3 point = toVcg(frame_.toUnit(world));
+        lastNearest_ = grid_.nearest(point, lastNearest_);
+        const double distance = (positions_[lastNearest_] - point).SquaredNorm();
+        const double ratio = distance / squaredEdge_;
+        const double weight = 1 / (1 + ratio * ratio);
+        Sum &sum = sums_[lastNearest_];
+        sum.weight += weight;
+        for (std::size_t k = 0; k < values.size(); ++k)
+            sum.values[k] += weight * values[k];
+    }
+
+    std::vector<AttributeValues> average() const
+    {
+        std::vector<Sum> sums = sums_;
+        spreadToEmpty(sums);
+        std::vector<AttributeValues> averages;
+        for (const Sum &sum : sums) {
+            averages.push_back(sum.values);
+            if (sum.weight > 0)
+                for (double &value : averages.back())
+                    value /= sum.weight;
+        }
+        return averages;
+    }
+
+private:
+    /// Ring by ring. Components without any point keep zeros.
+    void spreadToEmpty(std::vector<Sum> &sums) const
+    {
+        std::vector<VertexId> empty;
+        for (VertexId v = 0; v < sums.size(); ++v)
+            if (!(sums[v].weight > 0))
+                empty.push_back(v);
+        for (bool progress = true; progress && !empty.empty();) {
+            std::vector<VertexId> stillEmpty;
+            std::vector<std::pair<VertexId, Sum>> filled;
+            for (const VertexId v : empty) {
+                const Sum sum = sumOfNeighbours(sums, v);
+                if (sum.weight > 0)
+                    filled.emplace_back(v, sum);
+                else
+                    stillEmpty.push_back(v);
+            }
+            for (const auto &[v, sum] : filled)
+                sums[v] = sum;
+            progress = !filled.empty();
+            empty = std::move(stillEmpty);
+        }
+    }
+
+    Sum sumOfNeighbours(const std::vector<Sum> &sums, VertexId v) const
+    {
+        Sum sum;
+        for (const VertexId u : neighbours_[v]) {
+            if (!(sums[u].weight > 0))
+                continue;
+            sum.weight += 1;
+            for (std::size_t k = 0; k < sum.values.size(); ++k)
+                sum.values[k] += sums[u].values[k] / sums[u].weight;
+        }
+        return sum;
+    }
+
+    UnitFrame frame_;
+    std::vector<Point3> positions_;
+    std::vector<std::vector<VertexId>> neighbours_;
+    VertexGrid grid_;
+    double squaredEdge_ = 0; ///< mean over all edges
+    std::vector<Sum> sums_;
+    VertexId lastNearest_ = noVertex;
+};
+
+AttributeTransfer::AttributeTransfer(const Mesh &mesh) : vertices_(std::make_unique<Vertices>(mesh))
+{
+}
+
+AttributeTransfer::~AttributeTransfer() = default;
+AttributeTransfer::AttributeTransfer(AttributeTransfer &&) noexcept = default;
+
+void AttributeTransfer::add(const Point &point, const AttributeValues &values)
+{
+    vertices_->add(point, values);
+}
+
+void AttributeTransfer::addSurface(const Mesh &mesh, const std::vector<AttributeValues> &values,
+                                   std::size_t count)
+{
+    const auto position = [&](VertexId v) { return toVcg(mesh.positions[v]); };
+    std::vector<double> areas;
+    for (const Corners &f : mesh.triangles)
+        areas.push_back(
+            ((position(f[1]) - position(f[0])) ^ (position(f[2]) - position(f[0]))).Norm());
+    const AliasTable table(areas);
+    Random random(seedOfPlaces);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Corners &f = mesh.triangles[table.draw(random)];
+        const double root = std::sqrt(random.unit()); // uniform in the triangle (Turk 1990)
+        const double share = random.unit();
+        const double w[3] = {1 - root, root * (1 - share), root * share};
+        AttributeValues mixed{};
+        for (std::size_t k = 0; k < mixed.size(); ++k)
+            mixed[k] = w[0] * values[f[0]][k] + w[1] * values[f[1]][k] + w[2] * values[f[2]][k];
+        add(toPlain(position(f[0]) * w[0] + position(f[1]) * w[1] + position(f[2]) * w[2]), mixed);
+    }
 }
 
 std::vector<AttributeValues> AttributeTransfer::average() const
 {
-    std::vector<Sum> sums = sums_;
-    spreadToEmpty(sums);
-    std::vector<AttributeValues> averages;
-    forEachVertex(mesh_, [&](VertexId v) {
-        averages.push_back(sums[v].values);
-        if (sums[v].weight > 0)
-            for (double &value : averages.back())
-                value /= sums[v].weight;
-    });
-    return averages;
-}
-
-/// Ring by ring. Components without any point keep zeros.
-void AttributeTransfer::spreadToEmpty(std::vector<Sum> &sums) const
-{
-    std::vector<VertexId> empty;
-    forEachVertex(mesh_, [&](VertexId v) {
-        if (!(sums[v].weight > 0))
-            empty.push_back(v);
-    });
-    for (bool progress = true; progress && !empty.empty();) {
-        std::vector<VertexId> stillEmpty;
-        std::vector<std::pair<VertexId, Sum>> filled;
-        for (const VertexId v : empty) {
-            Sum sum;
-            for (const VertexId u : mesh_.ring(v)) {
-                if (!(sums[u].weight > 0))
-                    continue;
-                sum.weight += 1;
-                for (std::size_t k = 0; k < sum.values.size(); ++k)
-                    sum.values[k] += sums[u].values[k] / sums[u].weight;
-            }
-            if (sum.weight > 0)
-                filled.emplace_back(v, sum);
-            else
-                stillEmpty.push_back(v);
-        }
-        for (const auto &[v, sum] : filled)
-            sums[v] = sum;
-        progress = !filled.empty();
-        empty = std::move(stillEmpty);
-    }
+    return vertices_->average();
 }
 
 } // namespace neuralmesh

@@ -17,6 +17,12 @@ struct Box {
     Point max;
 };
 
+/// An interval, its ends included.
+struct Range {
+    double low;
+    double high;
+};
+
 /// Place of a vertex among the vertices of its mesh.
 using VertexId = std::uint32_t;
 

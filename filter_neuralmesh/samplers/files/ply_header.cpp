@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "neuralmesh/errors.h"
+#include "neuralmesh/sampler_errors.h"
 
 namespace neuralmesh {
 namespace {
@@ -130,9 +130,7 @@ private:
         if (hasFormat_)
             throw InvalidInput("its header has two lines of format.");
         if (words[1] == "ascii")
-            throw InvalidInput(
-                "it is a PLY file of text, of which no point can be read in place. Save it as "
-                "binary PLY: open it in MeshLab and export it with binary encoding.");
+            throw NeedsConversion(NeedsConversion::Format::textPly);
         if (words[1] != "binary_little_endian" && words[1] != "binary_big_endian")
             throw InvalidInput("its header has the unknown format " + quoted(words[1]) + ".");
         if (words[2] != "1.0")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samplers/files/point_file_format.h"
 
-#include "neuralmesh/errors.h"
+#include "neuralmesh/sampler_errors.h"
 #include "samplers/files/las_header.h"
 #include "samplers/files/npy_header.h"
 #include "samplers/files/ply_header.h"
@@ -17,9 +17,7 @@ bool startsWith(Bytes file, const std::string &magic)
 [[noreturn]] void refuseFormat(Bytes file)
 {
     if (startsWith(file, "ASTM-E57"))
-        throw InvalidInput("it is an E57 file, whose points are packed in pages, so that none can "
-                           "be read in place. Convert it first: open it in MeshLab and export it "
-                           "as PLY with binary encoding.");
+        throw NeedsConversion(NeedsConversion::Format::e57);
     if (startsWith(file, "PK\x03\x04"))
         throw InvalidInput("it is a ZIP archive (NPZ is one too), so that no point can be read in "
                            "place. Unpack it first.");

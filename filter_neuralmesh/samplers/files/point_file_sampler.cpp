@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "neuralmesh/errors.h"
+#include "neuralmesh/sampler_errors.h"
 #include "samplers/files/point_file_format.h"
 #include "samplers/files/point_survey.h"
 #include "samplers/input_checks.h"
@@ -28,11 +28,6 @@ constexpr std::size_t pointsPerLook = 1 << 20;
 constexpr std::size_t readsAtOnce = 64;
 
 const char *const changed = "the file was changed while it was being read.";
-
-InvalidInput named(const std::string &path, const char *sentence)
-{
-    return InvalidInput("PointFile '" + path + "': " + sentence);
-}
 
 /// Uniform in [0, count), for files of more points too than Random::below() takes.
 std::uint64_t randomIndex(Random &random, std::uint64_t count)
@@ -85,7 +80,7 @@ try : path_(path), file_(path), records_(file_.bytes(), readPointLayout(file_.by
     if (file_.hasChanged())
         throw InvalidInput(changed);
 } catch (const InvalidInput &problem) {
-    throw named(path, problem.what());
+    std::throw_with_nested(InvalidPointFile(path, problem.what()));
 }
 
 vcg::Box3d PointFileSampler::findWorldBounds(const Progress &progress) const
@@ -107,7 +102,7 @@ void PointFileSampler::draw(Random &random, std::size_t count, std::vector<Point
     samples.resize(count);
     for (std::size_t begin = 0; begin < count; begin += pointsPerLook) {
         if (file_.hasChanged())
-            throw named(path_, changed);
+            throw InvalidPointFile(path_, changed);
         const std::size_t end = std::min(begin + pointsPerLook, count);
         if (outliers_)
             for (std::size_t i = begin; i < end; ++i)

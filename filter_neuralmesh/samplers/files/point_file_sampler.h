@@ -20,13 +20,13 @@ class PointFileSampler : public Sampler {
 public:
     /// Opens a file of binary PLY, LAS or NPY. Takes one pass over it to find the bounds and
     /// points that are not finite, except where a LAS header claims bounds that fit its points.
-    /// Throws InvalidInput, with the file's name, where it is missing, broken or of another format,
+    /// Throws InvalidPointFile where it is missing, broken or of another format,
     /// and where its points are such that PointCloudSampler refuses them; Cancelled.
     explicit PointFileSampler(const std::string &path, const Progress &progress = {});
 
     const UnitFrame &frame() const override { return frame_; }
     Box bounds() const override { return toPlain(bounds_); }
-    /// Throws InvalidInput where the file has been changed since it was opened.
+    /// Throws InvalidPointFile where the file has been changed since it was opened.
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
     std::size_t pointCount() const override;
     /// Reads the file from its start until it has found enough.

@@ -16,10 +16,11 @@ constexpr std::size_t mostPointsSifted = 200000;
 } // namespace
 
 PointCloudSampler::PointCloudSampler(const std::vector<Point> &world,
-                                     const std::vector<double> &density)
+                                     const std::vector<double> &given)
 {
     if (world.empty())
         throw InvalidInput("There are no points to reconstruct a surface from.");
+    const std::vector<double> density = densityShares(given, world.size());
     requireFinite(world);
     const auto isDrawn = [&](std::size_t i) { return density.empty() || density[i] > 0; };
     vcg::Box3d worldBounds;

@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "core/space/alias_table.h"
 #include "core/space/plain_points.h"
 #include "neuralmesh/sampler.h"
-#include "samplers/alias_table.h"
 #include "samplers/points/outlier_filter.h"
 
 namespace neuralmesh {

@@ -9,7 +9,7 @@
 
 namespace neuralmesh {
 
-/// A formula of a few variables, in the syntax of muParser (MeshLab's own). Evaluating takes some
+/// A formula of a few variables, in the syntax of muParser. Evaluating takes some
 /// tens of nanoseconds. Not for several threads at once.
 class Expression {
 public:

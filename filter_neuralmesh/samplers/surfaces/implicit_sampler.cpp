@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "neuralmesh/errors.h"
+#include "neuralmesh/sampler_errors.h"
 #include "samplers/input_checks.h"
 #include "samplers/surfaces/root_finding.h"
 
@@ -76,15 +76,13 @@ Stretch clip(const Line &line, const vcg::Box3d &box)
 
 } // namespace
 
-ImplicitSampler::ImplicitSampler(Expression function, const vcg::Box3d &box)
+ImplicitSampler::ImplicitSampler(Expression function, const Box &box)
     : function_(std::move(function))
 {
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::string name(1, "XYZ"[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
         if (!(box.min[axis] < box.max[axis]) || !std::isfinite(box.max[axis] - box.min[axis]))
-            throw InvalidInput("The box is empty: min" + name + " must be below max" + name + ".");
-    }
-    cells_ = findSurfaceCells(function_, box);
+            throw EmptyRange("xyz"[axis]);
+    cells_ = findSurfaceCells(function_, toVcg(box));
     const std::vector<vcg::Point3d> pilot = drawPilot();
     vcg::Box3d worldBounds;
     for (const vcg::Point3d &p : pilot)

@@ -19,9 +19,10 @@ namespace neuralmesh {
 /// where a sphere fills a box of 64.
 class ImplicitSampler : public Sampler {
 public:
-    /// Throws InvalidInput where the box is empty, the function is not finite in it or no surface
-    /// is found, and where the surface is a plane, which cannot carry a closed one.
-    ImplicitSampler(Expression function, const vcg::Box3d &box);
+    /// Throws EmptyRange where the box is empty, InvalidInput where the function is not finite in
+    /// it or no surface is found, and where the surface is a plane, which cannot carry a closed
+    /// one.
+    ImplicitSampler(Expression function, const Box &box);
 
     const UnitFrame &frame() const override { return frame_; }
     Box bounds() const override { return toPlain(bounds_); }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "neuralmesh/errors.h"
+#include "neuralmesh/sampler_errors.h"
 #include "samplers/input_checks.h"
 
 namespace neuralmesh {
@@ -22,14 +22,13 @@ constexpr double differenceStep = 1e-5;
 /// Places that are tried for one sample. On a smooth surface, two of three are kept.
 constexpr int mostTries = 100000;
 
-void requireRange(const char *name, ParametricSampler::Range range)
+void requireRange(char variable, Range range)
 {
     if (!(range.low < range.high) || !std::isfinite(range.high - range.low))
-        throw InvalidInput(std::string("The range of ") + name + " is empty: min" + name +
-                           " must be below max" + name + ".");
+        throw EmptyRange(variable);
 }
 
-double between(ParametricSampler::Range range, double share)
+double between(Range range, double share)
 {
     return range.low + (range.high - range.low) * share;
 }
@@ -39,8 +38,8 @@ double between(ParametricSampler::Range range, double share)
 ParametricSampler::ParametricSampler(std::array<Expression, 3> coordinates, Range u, Range v)
     : coordinates_(std::move(coordinates)), u_(u), v_(v)
 {
-    requireRange("U", u);
-    requireRange("V", v);
+    requireRange('u', u);
+    requireRange('v', v);
     measureCells();
 }
 

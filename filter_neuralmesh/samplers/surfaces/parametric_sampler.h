@@ -3,9 +3,9 @@
 
 #include <array>
 
+#include "core/space/alias_table.h"
 #include "core/space/plain_points.h"
 #include "neuralmesh/sampler.h"
-#include "samplers/alias_table.h"
 #include "samplers/surfaces/expression.h"
 
 namespace neuralmesh {
@@ -19,13 +19,9 @@ namespace neuralmesh {
 /// as the largest of nine norms in the cell: a norm above it would be sampled too seldom.
 class ParametricSampler : public Sampler {
 public:
-    struct Range {
-        double low, high;
-    };
-
-    /// Takes the expressions of x, y and z, each in the variables "uv". Throws InvalidInput where a
-    /// range is empty, an expression is not finite in it, the surface has no area, or is a plane,
-    /// which cannot carry a closed one.
+    /// Takes the expressions of x, y and z, each in the variables "uv". Throws EmptyRange where a
+    /// range is empty, InvalidInput where an expression is not finite in it, the surface has no
+    /// area, or is a plane, which cannot carry a closed one.
     ParametricSampler(std::array<Expression, 3> coordinates, Range u, Range v);
 
     const UnitFrame &frame() const override { return frame_; }

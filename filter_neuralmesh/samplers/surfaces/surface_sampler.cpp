@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/mesh/triangle.h"
-#include "neuralmesh/errors.h"
+#include "neuralmesh/sampler_errors.h"
 #include "samplers/input_checks.h"
 
 namespace neuralmesh {
@@ -43,7 +43,7 @@ Weights drawLinear(const Weights &density, Random &random)
 
 SurfaceSampler::SurfaceSampler(const std::vector<Point> &world, const std::vector<Corners> &faces,
                                const std::vector<double> &density)
-    : density_(density)
+    : density_(densityShares(density, world.size()))
 {
     requireFinite(world);
     vcg::Box3d worldBounds;
@@ -71,10 +71,10 @@ SurfaceSampler::SurfaceSampler(const std::vector<Point> &world, const std::vecto
             corners.push_back(points_[v]);
         }
     }
+    if (faces_.empty() && !density_.empty())
+        throw InvalidDensity(InvalidDensity::Problem::noFace);
     if (faces_.empty())
-        throw InvalidInput(density_.empty()
-                               ? "All faces are without area: there is no surface to sample."
-                               : "No face has both an area and a quality above 0.");
+        throw InvalidInput("All faces are without area: there is no surface to sample.");
     requireSolid(corners);
     table_ = AliasTable(weights);
 }

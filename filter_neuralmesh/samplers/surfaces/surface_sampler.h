@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "core/space/alias_table.h"
 #include "core/space/plain_points.h"
 #include "neuralmesh/sampler.h"
-#include "samplers/alias_table.h"
 
 namespace neuralmesh {
 

@@ -115,11 +115,11 @@ TEST(Snapshots, of_impossible_counts_are_refused)
         }
         return "accepted";
     };
-    EXPECT_EQ(refusal({20, 20}), "Snapshots names 20 vertices twice.");
-    EXPECT_EQ(refusal({20, 10}), "Snapshots names 10 vertices after more of them.");
+    EXPECT_EQ(refusal({20, 20}), "snapshots names 20 vertices twice.");
+    EXPECT_EQ(refusal({20, 10}), "snapshots names 10 vertices after more of them.");
     EXPECT_EQ(refusal({3}),
-              "Snapshots names 3 vertices, fewer than the 4 vertices of the starting mesh.");
-    EXPECT_EQ(refusal({801}), "Snapshots names 801 vertices, more than TargetVertNum, which is "
+              "snapshots names 3 vertices, fewer than the 4 vertices of the starting mesh.");
+    EXPECT_EQ(refusal({801}), "snapshots names 801 vertices, more than targetVertexCount, which is "
                               "800.");
 }
 

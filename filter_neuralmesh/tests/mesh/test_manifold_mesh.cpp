@@ -128,9 +128,9 @@ TEST(ManifoldMesh, turns_faces_that_do_not_agree_outwards_and_keeps_those_that_d
 
 TEST(ManifoldMesh, refuses_open_surfaces)
 {
-    EXPECT_EQ(refusal(corners, {}), "The starting layer has no faces.");
+    EXPECT_EQ(refusal(corners, {}), "The starting mesh has no faces.");
     EXPECT_EQ(refusal(corners, {tetrahedron.begin(), tetrahedron.end() - 1}),
-              "The starting layer is not closed: 3 edges belong to one face only. Close its holes, "
+              "The starting mesh is not closed: 3 edges belong to one face only. Close its holes, "
               "or merge its close vertices.");
 }
 
@@ -139,7 +139,7 @@ TEST(ManifoldMesh, refuses_what_is_no_two_manifold)
     Faces twice = tetrahedron;
     twice.push_back({{0, 0, 1}});
     EXPECT_EQ(refusal(corners, twice),
-              "The starting layer is not two-manifold: 1 face names a vertex twice.");
+              "The starting mesh is not two-manifold: 1 face names a vertex twice.");
 
     Points points = corners; // two tetrahedra that share an edge
     points.emplace_back(3, 0, 1);
@@ -147,7 +147,7 @@ TEST(ManifoldMesh, refuses_what_is_no_two_manifold)
     Faces sharedEdge = tetrahedron;
     for (const Corners &f : Faces{{{0, 1, 4}}, {{0, 5, 1}}, {{0, 4, 5}}, {{1, 5, 4}}})
         sharedEdge.push_back(f);
-    EXPECT_EQ(refusal(points, sharedEdge), "The starting layer is not two-manifold: 1 edge belongs "
+    EXPECT_EQ(refusal(points, sharedEdge), "The starting mesh is not two-manifold: 1 edge belongs "
                                            "to more than two faces.");
 
     points = corners; // two tetrahedra that share a vertex
@@ -155,11 +155,11 @@ TEST(ManifoldMesh, refuses_what_is_no_two_manifold)
     append(points, sharedVertex, {2, 2, 2});
     for (Corners &f : sharedVertex)
         std::replace(f.begin(), f.end(), VertexId(7), VertexId(0));
-    EXPECT_EQ(refusal(points, sharedVertex), "The starting layer is not two-manifold: several fans "
+    EXPECT_EQ(refusal(points, sharedVertex), "The starting mesh is not two-manifold: several fans "
                                              "of faces meet at one vertex.");
 
     EXPECT_EQ(refusal(corners, {{{0, 1, 2}}, {{0, 2, 1}}}),
-              "The starting layer is not two-manifold: two faces have the same three vertices.");
+              "The starting mesh is not two-manifold: two faces have the same three vertices.");
 }
 
 TEST(ManifoldMesh, refuses_a_klein_bottle)
@@ -168,7 +168,7 @@ TEST(ManifoldMesh, refuses_a_klein_bottle)
     Faces faces;
     gluedGrid(5, true, points, faces);
     EXPECT_EQ(refusal(points, faces),
-              "The starting layer is not orientable: its faces have no common outside.");
+              "The starting mesh is not orientable: its faces have no common outside.");
 }
 
 } // namespace

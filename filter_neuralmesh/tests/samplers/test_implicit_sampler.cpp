@@ -9,17 +9,17 @@ namespace {
 const std::string sphere = "x*x + y*y + z*z - 0.5";
 const std::string torus = "(sqrt(x*x + y*y) - 0.6)^2 + z*z - 0.09";
 
-vcg::Box3d cube(double reach)
+Box cube(double reach)
 {
     return {{-reach, -reach, -reach}, {reach, reach, reach}};
 }
 
-ImplicitSampler surfaceOf(const std::string &text, const vcg::Box3d &box = cube(1))
+ImplicitSampler surfaceOf(const std::string &text, const Box &box = cube(1))
 {
     return {Expression("expr", text, "xyz"), box};
 }
 
-std::string refusal(const std::string &text, const vcg::Box3d &box = cube(1))
+std::string refusal(const std::string &text, const Box &box = cube(1))
 {
     try {
         surfaceOf(text, box);
@@ -42,7 +42,7 @@ TEST(ImplicitSampler, is_uniform_by_area_on_a_torus)
 
 TEST(ImplicitSampler, is_uniform_where_the_surface_is_a_small_part_of_a_long_box)
 {
-    const vcg::Box3d box({-40, -60, -3}, {30, 50, 5});
+    const Box box{{-40, -60, -3}, {30, 50, 5}};
     test::expectUniform(surfaceOf(sphere, box), test::spherePatch);
 }
 
@@ -108,9 +108,9 @@ TEST(ImplicitSampler, refuses_boxes_without_a_surface)
     EXPECT_EQ(refusal(sphere, {{1, 1, 1}, {2, 2, 2}}), none);
     EXPECT_EQ(refusal("1 / (x - 0.01)"), none); // a pole
     EXPECT_EQ(refusal(sphere, {{-1, 1, -1}, {1, -1, 1}}),
-              "The box is empty: minY must be below maxY.");
+              "The range of y is empty: its lower end must be below its upper end.");
     EXPECT_EQ(refusal(sphere, {{-1, -1, -1}, {1, 1, INFINITY}}),
-              "The box is empty: minZ must be below maxZ.");
+              "The range of z is empty: its lower end must be below its upper end.");
 }
 
 TEST(ImplicitSampler, refuses_functions_that_are_not_finite_in_the_box_and_says_where)
@@ -123,8 +123,7 @@ TEST(ImplicitSampler, refuses_functions_that_are_not_finite_in_the_box_and_says_
 TEST(ImplicitSampler, refuses_a_plane)
 {
     EXPECT_EQ(refusal("x + 0.3*y - 0.1"),
-              "All points lie on a plane: a closed surface, which this filter makes, cannot be "
-              "fitted to them.");
+              "All points lie on a plane: a closed surface cannot be fitted to them.");
 }
 
 } // namespace

@@ -8,7 +8,6 @@ namespace neuralmesh {
 namespace {
 
 using Texts = std::array<std::string, 3>;
-using Range = ParametricSampler::Range;
 
 constexpr Range fullTurn{0, 2 * M_PI};
 constexpr Range halfTurn{0, M_PI};
@@ -74,16 +73,16 @@ TEST(ParametricSampler, says_which_expression_does_not_parse_and_where)
 TEST(ParametricSampler, refuses_what_is_no_surface)
 {
     EXPECT_EQ(refusal({"1/u", "v", "0"}), "x is not finite at u = 0, v = 0.");
-    EXPECT_EQ(refusal(torus, {1, 1}), "The range of U is empty: minU must be below maxU.");
+    EXPECT_EQ(refusal(torus, {1, 1}),
+              "The range of u is empty: its lower end must be below its upper end.");
     EXPECT_EQ(refusal(torus, fullTurn, {0, std::nan("")}),
-              "The range of V is empty: minV must be below maxV.");
+              "The range of v is empty: its lower end must be below its upper end.");
     EXPECT_EQ(refusal({"1", "2", "3"}),
               "All points lie in one place: there is no surface to reconstruct.");
     EXPECT_EQ(refusal({"u", "u", "2*u"}),
               "All points lie on a line: there is no surface to reconstruct.");
     EXPECT_EQ(refusal({"u", "v", "u+v"}),
-              "All points lie on a plane: a closed surface, which this filter makes, cannot be "
-              "fitted to them.");
+              "All points lie on a plane: a closed surface cannot be fitted to them.");
     EXPECT_EQ(refusal({"cos(u)", "sin(u)", "u"}),
               "The surface has no area that could be measured."); // a helix
 }

@@ -20,7 +20,7 @@ std::string refusal(const std::string &content)
         const PointFileSampler sampler(file.path());
     } catch (const InvalidInput &error) {
         const std::string sentence = error.what();
-        const std::string start = "PointFile '" + file.path() + "': ";
+        const std::string start = "'" + file.path() + "': ";
         EXPECT_EQ(sentence.substr(0, start.size()), start);
         return sentence.substr(start.size());
     }

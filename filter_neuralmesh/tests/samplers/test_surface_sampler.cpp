@@ -110,10 +110,9 @@ TEST(SurfaceSampler, refuses_what_has_no_area)
     EXPECT_EQ(refusal(corners, {{{0, 0, 1}}, {{2, 3, 2}}}),
               "All faces are without area: there is no surface to sample.");
     EXPECT_EQ(refusal(corners, {{{0, 1, 2}}, {{0, 1, 2}}}),
-              "All points lie on a plane: a closed surface, which this filter makes, cannot be "
-              "fitted to them.");
+              "All points lie on a plane: a closed surface cannot be fitted to them.");
     EXPECT_EQ(refusal(corners, {{{0, 1, 2}}}, {0, 0, 0, 1}),
-              "No face has both an area and a quality above 0.");
+              "No face has both an area and a density above 0.");
     Points broken = corners;
     broken[2].Y() = std::nan("");
     EXPECT_EQ(refusal(broken, sides), "1 of 4 points have coordinates that are NaN or infinite "

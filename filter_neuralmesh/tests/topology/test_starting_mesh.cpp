@@ -183,7 +183,7 @@ TEST(StartingMesh, one_with_more_vertices_than_the_target_is_refused)
         FAIL() << "39 vertices from 40 were accepted";
     } catch (const InvalidInput &error) {
         EXPECT_STREQ(error.what(),
-                     "TargetVertNum is 39, fewer than the 40 vertices of the starting mesh.");
+                     "targetVertexCount is 39, fewer than the 40 vertices of the starting mesh.");
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samplers/alias_table.h"
+#include "core/space/alias_table.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surface reconstruction with a growing neural network (Ivrissimtzis, Jeong and Seidel, "Using
+// Growing Cell Structures for Surface Reconstruction", SMI 2003), in one call.
+#pragma once
+
+#include <functional>
+
+#include "neuralmesh/geometry.h"
+#include "neuralmesh/parameters.h"
+#include "neuralmesh/progress.h"
+#include "neuralmesh/report.h"
+#include "neuralmesh/sampler.h"
+
+namespace neuralmesh {
+
+/// A closed oriented two-manifold in world coordinates, its outside outwards.
+struct Result {
+    Mesh mesh;
+    Report report;
+};
+
+/// Given each snapshot as it is taken: a mesh like that of the result.
+using SnapshotTaker = std::function<void(Mesh snapshot)>;
+
+/// Grows a mesh of exactly parameters.targetVertexCount vertices that learns the sampler's target
+/// space, from the solid that parameters.startMesh names; it has the topology of a sphere. The same
+/// sampler, parameters and seed give the same mesh, bit for bit.
+///
+/// Snapshots are taken at the vertex counts of parameters.snapshots and never touch the result.
+///
+/// Throws InvalidParameter for parameters out of range or that do not fit the target space,
+/// InvalidStartingMesh for StartMesh::given, Cancelled when `progress` returns false, and what the
+/// sampler throws.
+Result reconstruct(const Sampler &sampler, const GrowthParameters &parameters = {},
+                   const Progress &progress = {}, const SnapshotTaker &takeSnapshot = {});
+
+/// The same from a mesh in world coordinates, roughly in place, whose handles and components the
+/// result has. It must be a closed two-manifold with no more vertices than the target; positions
+/// that no triangle names are left out. Throws InvalidStartingMesh where it is not one.
+/// parameters.startMesh is not looked at.
+Result reconstructFrom(const Mesh &startingMesh, const Sampler &sampler,
+                       const GrowthParameters &parameters = {}, const Progress &progress = {},
+                       const SnapshotTaker &takeSnapshot = {});
+
+} // namespace neuralmesh

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace neuralmesh {
+
+/// What is to be told about a result. Distances are in units of the input.
+struct Report {
+    int vertices = 0;
+    int faces = 0;
+    int components = 0;
+    /// Sum of the components' genera.
+    int genus = 0;
+    /// Entry k counts the vertices of valence k.
+    std::vector<int> valenceHistogram;
+
+    std::uint64_t signalCount = 0; // not "signals", which is a macro of Qt
+    std::uint64_t splitCount = 0;    ///< vertices that came, those of cut handles among them
+    std::uint64_t collapseCount = 0; ///< vertices that went, those of webs among them
+    /// Faces that intersect another.
+    int selfIntersections = 0;
+    /// Whether the mesh has as many vertices as were asked for.
+    bool reachedTarget = false;
+    /// Whether vertices were kept that win no sample, for want of points.
+    bool keptIdle = false;
+
+    /// Distances of fresh samples from the mesh.
+    double rmsError = 0;
+    double maxError = 0;
+    /// Root mean square distance of samples from the growing network as it reached 8, 16, 32 ...
+    /// vertices: entry k at 8 * 2^k.
+    std::vector<double> convergence;
+};
+
+} // namespace neuralmesh
