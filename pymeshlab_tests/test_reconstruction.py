@@ -36,6 +36,8 @@ RESULT_TYPES = {
     "seconds": float,
     "rms_error": float,
     "max_error": float,
+    "coverage": float,
+    "unsupported_area": float,
     "reached_target": bool,
     "convergence": np.ndarray,
     "valence_histogram": np.ndarray,

@@ -74,6 +74,17 @@ def test_two_spheres_from_their_points_alone_are_two_components() -> None:
     points = np.vstack([sphere_points(4000), sphere_points(4000) + [3, 0, 0]])
     result = reconstruct(document_of(points), targetvertnum=600, topology=LEARNED)
     assert (result["vertices"], result["genus"], result["components"]) == (600, 0, 2)
+    assert result["coverage"] == 1
+    assert result["unsupported_area"] == 0
+
+
+def test_a_membrane_is_told() -> None:
+    # Half a sphere closed by a disc, which is a third of the whole.
+    half = sphere_points(12000)
+    half = half[half[:, 2] > 0]
+    result = reconstruct(document_of(half), targetvertnum=1000)
+    assert 0.25 < result["unsupported_area"] < 0.35
+    assert result["coverage"] == 1
 
 
 def test_a_torus_from_a_torus_layer_has_genus_1() -> None:

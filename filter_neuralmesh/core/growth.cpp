@@ -14,6 +14,7 @@
 #include "core/network/learning_rules.h"
 #include "core/random_streams.h"
 #include "core/result/error_measure.h"
+#include "core/result/support_measure.h"
 #include "core/shape/start_from_data.h"
 #include "core/space/morton_order.h"
 #include "core/space/plain_points.h"
@@ -101,6 +102,10 @@ public:
             measureError(network_, sampler_, measuring_, samplesPerErrorMeasure);
         report_.rmsError = error.rms;
         report_.maxError = error.largest;
+        const SupportFigures support =
+            measureSupport(network_, sampler_, measuring_, samplesPerErrorMeasure);
+        report_.coverage = support.coverage;
+        report_.unsupportedArea = support.unsupportedArea;
         report_.signalCount = network_.signals();
         report_.reachedTarget = isComplete();
         report_.keptIdle = isCrowded_;

@@ -25,6 +25,8 @@ struct GrowthReport {
     /// Distances of fresh samples from the result, in the unit frame.
     double rmsError = 0;
     double maxError = 0;
+    double coverage = 0;        ///< share of fresh samples that are near the result
+    double unsupportedArea = 0; ///< share of the result's area that is far from all samples
     /// Root mean square distance of samples from the growing network, in the unit frame, as it
     /// reached 8, 16, 32 ... vertices: entry k at 8 * 2^k.
     std::vector<double> convergence;

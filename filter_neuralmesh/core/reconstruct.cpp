@@ -29,6 +29,8 @@ Report reportOf(const NeuralMesh &network, const GrowthReport &growth, double un
     report.keptIdle = growth.keptIdle;
     report.rmsError = growth.rmsError * unit;
     report.maxError = growth.maxError * unit;
+    report.coverage = growth.coverage;
+    report.unsupportedArea = growth.unsupportedArea;
     for (const double error : growth.convergence)
         report.convergence.push_back(error * unit);
     return report;

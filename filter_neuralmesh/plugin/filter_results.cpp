@@ -15,6 +15,38 @@ template <class T> QVariant toVector(const std::vector<T> &values)
     return QVariant::fromValue(vector);
 }
 
+/// Shares from which a result is not what the points say: noise and the isolated points that a
+/// cloud may hold leave them on the right side.
+constexpr double leastCoverage = 0.9;
+constexpr double mostUnsupported = 0.05;
+
+std::string percent(double share)
+{
+    char text[16];
+    std::snprintf(text, sizeof text, "%.0f %%", 100 * share);
+    return text;
+}
+
+/// What in the result is not to be trusted, and what to try.
+std::string warnings(const neuralmesh::Report &report)
+{
+    std::string text;
+    if (report.coverage < leastCoverage)
+        text += " Warning: " + percent(1 - report.coverage) +
+                " of the points are not near the mesh, which is not to be trusted. Try Topology "
+                "learned from the data, or a higher TargetVertNum.";
+    if (report.unsupportedArea > mostUnsupported)
+        text +=
+            " Warning: " + percent(report.unsupportedArea) +
+            " of the mesh lies where there are no points: it closes holes in the data, or joins "
+            "parts of it. Try Topology learned from the data.";
+    if (report.selfIntersections > 0)
+        text += " " + std::to_string(report.selfIntersections) +
+                " faces intersect another. Where walls are closer to each other than the vertices, "
+                "a higher TargetVertNum parts them.";
+    return text;
+}
+
 } // namespace
 
 std::map<std::string, QVariant> resultValues(const Reconstruction &reconstruction)
@@ -34,6 +66,8 @@ std::map<std::string, QVariant> resultValues(const Reconstruction &reconstructio
             {"reached_target", report.reachedTarget},
             {"rms_error", report.rmsError},
             {"max_error", report.maxError},
+            {"coverage", report.coverage},
+            {"unsupported_area", report.unsupportedArea},
             {"convergence", toVector(report.convergence)},
             {"valence_histogram", toVector(report.valenceHistogram)}};
 }
@@ -54,9 +88,5 @@ std::string summary(const Reconstruction &reconstruction)
         text += " To reach TargetVertNum, vertices were kept that are nearest to no sample. Either "
                 "the target is close to the number of points, or InactivityFactor or "
                 "SignalsPerSplit is too low.";
-    if (report.selfIntersections > 0)
-        text += " " + std::to_string(report.selfIntersections) +
-                " faces intersect another. Where walls are closer to each other than the vertices, "
-                "a higher TargetVertNum parts them.";
-    return text;
+    return text + warnings(report);
 }

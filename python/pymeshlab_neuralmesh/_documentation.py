@@ -19,6 +19,7 @@ RETURNS = """Returns
 A dictionary with the figures of the result, which is the new current layer: `vertices`, `faces`,
 `genus`, `components`, `boundary_loops`, `self_intersections`, `splits`, `collapses`, `seed` (int),
 `signals`, `seconds`, `rms_error`, `max_error` (float; errors in units of the input),
+`coverage`, `unsupported_area` (float; shares),
 `reached_target` (bool), `valence_histogram`, `convergence` (arrays).
 
 Raises

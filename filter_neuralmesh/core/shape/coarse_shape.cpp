@@ -206,11 +206,16 @@ private:
     Box3 bounds_;
 };
 
+bool isSimpler(const Surface &a, const Surface &b)
+{
+    return a.components + a.genus < b.components + b.genus;
+}
+
 /// The level set at several levels around that of the points. What is there at most of them is
 /// shape; what comes and goes, where parts nearly touch or thin out, is chance.
 struct Reading {
-    /// With the shape of most levels, from the level nearest to 0 that has it; where no two agree,
-    /// with the fewest handles.
+    /// With the shape of most levels, from the level nearest to 0 that has it; where too few
+    /// agree, the simplest.
     Surface surface;
     int votes = 0;
 };
@@ -243,8 +248,7 @@ public:
                 s.unsupportedShare,
                 s.missedShare,
                 isSheet_,
-                isStable || reading.votes > 1 ||
-                    (s.unsupportedShare < faultless && s.missedShare < faultless)};
+                isStable || (s.unsupportedShare < faultless && s.missedShare < faultless)};
     }
 
     const TriangleSoup &soup() const { return soup_; }
@@ -299,10 +303,11 @@ private:
             const auto votes = static_cast<int>(
                 std::count_if(surfaces.begin(), surfaces.end(),
                               [&](const Surface &other) { return other.hasShapeOf(surface); }));
-            if (votes > best.votes ||
-                (votes == best.votes && votes == 1 && surface.genus < best.surface.genus))
+            if (votes > best.votes)
                 best = {surface, votes};
         }
+        if (best.votes < fewestVotes)
+            best.surface = *std::min_element(surfaces.begin(), surfaces.end(), isSimpler);
         spacingInCube_ = std::sqrt(best.surface.area / pointCount_) / cells();
         return best;
     }

@@ -16,7 +16,7 @@ struct Report {
     /// Entry k counts the vertices of valence k.
     std::vector<int> valenceHistogram;
 
-    std::uint64_t signalCount = 0; // not "signals", which is a macro of Qt
+    std::uint64_t signalCount = 0;   // not "signals", which is a macro of Qt
     std::uint64_t splitCount = 0;    ///< vertices that came, those of cut handles among them
     std::uint64_t collapseCount = 0; ///< vertices that went, those of webs among them
     /// Faces that intersect another.
@@ -29,6 +29,12 @@ struct Report {
     /// Distances of fresh samples from the mesh.
     double rmsError = 0;
     double maxError = 0;
+    /// Share of the points that are near the mesh: nearer than its mean edge length or, where the
+    /// points are sparse, than their spacing. 1 where nothing was left out but isolated points.
+    double coverage = 0;
+    /// Share of the mesh's area that is far from all points, by the same measure: of membranes
+    /// over holes in the data, and of webs.
+    double unsupportedArea = 0;
     /// Root mean square distance of samples from the growing network as it reached 8, 16, 32 ...
     /// vertices: entry k at 8 * 2^k.
     std::vector<double> convergence;

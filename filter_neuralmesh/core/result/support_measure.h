@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether the mesh is where the points are, and nowhere else.
+#pragma once
+
+#include "core/network/growing_network.h"
+#include "neuralmesh/random.h"
+#include "neuralmesh/sampler.h"
+
+namespace neuralmesh {
+
+/// Near and far are told apart by the mean length of the mesh's edges; where the points are so
+/// sparse that their spacing is greater, by as much more.
+struct SupportFigures {
+    double coverage = 0;        ///< share of the samples that are near the mesh
+    double unsupportedArea = 0; ///< share of the mesh's area that is far from all samples
+};
+
+/// Draws `samplesPerVertex` samples for each vertex.
+SupportFigures measureSupport(const GrowingNetwork &network, const Sampler &sampler, Random &random,
+                              std::size_t samplesPerVertex);
+
+} // namespace neuralmesh

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shape/membrane_opening.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/mesh/triangle.h"
+#include "core/space/vertex_grid.h"
+
+namespace neuralmesh {
+namespace {
+
+constexpr FaceId noFace = 0xffffffffU;
+
+enum class Support : unsigned char { near, notNear, far };
+
+/// By face: the faces across its three sides.
+std::vector<std::array<FaceId, 3>> facesAcross(const TriangleSoup &soup)
+{
+    struct Side {
+        VertexId low, high;
+        FaceId face;
+        unsigned side;
+    };
+    std::vector<Side> sides;
+    sides.reserve(soup.faces.size() * 3);
+    for (FaceId f = 0; f < soup.faces.size(); ++f)
+        for (unsigned c = 0; c < 3; ++c) {
+            const VertexId a = soup.faces[f][c];
+            const VertexId b = soup.faces[f][(c + 1) % 3];
+            sides.push_back({std::min(a, b), std::max(a, b), f, c});
+        }
+    std::sort(sides.begin(), sides.end(), [](const Side &x, const Side &y) {
+        return std::pair(x.low, x.high) < std::pair(y.low, y.high);
+    });
+    std::vector<std::array<FaceId, 3>> across(soup.faces.size(), {noFace, noFace, noFace});
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+        const Side &a = sides[i];
+        const Side &b = sides[i + 1];
+        if (a.low == b.low && a.high == b.high) {
+            across[a.face][a.side] = b.face;
+            across[b.face][b.side] = a.face;
+        }
+    }
+    return across;
+}
+
+class Opening {
+public:
+    Opening(const TriangleSoup &soup, const std::vector<Point3> &points, const SupportRadii &radii)
+        : soup_(soup), across_(facesAcross(soup)), stays_(soup.faces.size(), true)
+    {
+        VertexGrid grid(Box3({0, 0, 0}, {1, 1, 1}));
+        for (std::size_t i = 0; i < points.size(); ++i)
+            grid.insert(static_cast<VertexId>(i), points[i]);
+        support_.reserve(soup.faces.size());
+        for (const Corners &face : soup.faces) {
+            const Point3 centre =
+                (soup.points[face[0]] + soup.points[face[1]] + soup.points[face[2]]) / 3;
+            support_.push_back(grid.hasWithin(centre, radii.near)  ? Support::near
+                               : grid.hasWithin(centre, radii.far) ? Support::notNear
+                                                                   : Support::far);
+        }
+    }
+
+    int openMembranes(double leastArea)
+    {
+        int openings = 0;
+        std::vector<bool> isSeen(soup_.faces.size(), false);
+        for (FaceId seed = 0; seed < soup_.faces.size(); ++seed) {
+            if (isSeen[seed] || support_[seed] != Support::far)
+                continue;
+            const std::vector<FaceId> patch = patchAround(seed, isSeen);
+            double patchArea = 0;
+            for (const FaceId f : patch)
+                patchArea += areaOf(f);
+            if (patchArea < leastArea)
+                continue;
+            ++openings;
+            for (const FaceId f : patch)
+                stays_[f] = false;
+        }
+        return openings;
+    }
+
+    /// Until each vertex has one fan of faces.
+    void removePinches()
+    {
+        while (removePinchesOnce()) {
+        }
+    }
+
+    std::vector<Corners> faces() const
+    {
+        std::vector<Corners> kept;
+        for (FaceId f = 0; f < soup_.faces.size(); ++f)
+            if (stays_[f])
+                kept.push_back(soup_.faces[f]);
+        return kept;
+    }
+
+private:
+    double areaOf(FaceId f) const
+    {
+        const Corners &c = soup_.faces[f];
+        return area(Triangle{soup_.points[c[0]], soup_.points[c[1]], soup_.points[c[2]]});
+    }
+
+    std::vector<FaceId> patchAround(FaceId seed, std::vector<bool> &isSeen) const
+    {
+        std::vector<FaceId> patch{seed};
+        isSeen[seed] = true;
+        for (std::size_t next = 0; next < patch.size(); ++next)
+            for (const FaceId f : across_[patch[next]])
+                if (f != noFace && !isSeen[f] && support_[f] != Support::near) {
+                    isSeen[f] = true;
+                    patch.push_back(f);
+                }
+        return patch;
+    }
+
+    bool removePinchesOnce()
+    {
+        std::vector<std::vector<FaceId>> around(soup_.points.size());
+        for (FaceId f = 0; f < soup_.faces.size(); ++f)
+            if (stays_[f])
+                for (const VertexId v : soup_.faces[f])
+                    around[v].push_back(f);
+        bool hasRemoved = false;
+        for (VertexId v = 0; v < around.size(); ++v)
+            hasRemoved = removeFans(v, around[v]) || hasRemoved;
+        return hasRemoved;
+    }
+
+    /// All but the largest fan of faces around a vertex.
+    bool removeFans(VertexId v, std::vector<FaceId> faces)
+    {
+        faces.erase(
+            std::remove_if(faces.begin(), faces.end(), [&](FaceId f) { return !stays_[f]; }),
+            faces.end());
+        std::vector<std::vector<FaceId>> fans;
+        while (!faces.empty()) {
+            std::vector<FaceId> fan{faces.back()};
+            faces.pop_back();
+            for (std::size_t next = 0; next < fan.size(); ++next)
+                for (unsigned side = 0; side < 3; ++side) {
+                    const Corners &c = soup_.faces[fan[next]];
+                    if (c[side] != v && c[(side + 1) % 3] != v)
+                        continue;
+                    const auto found =
+                        std::find(faces.begin(), faces.end(), across_[fan[next]][side]);
+                    if (found != faces.end()) {
+                        fan.push_back(*found);
+                        faces.erase(found);
+                    }
+                }
+            fans.push_back(std::move(fan));
+        }
+        if (fans.size() < 2)
+            return false;
+        const auto largest =
+            std::max_element(fans.begin(), fans.end(),
+                             [](const auto &a, const auto &b) { return a.size() < b.size(); });
+        for (auto fan = fans.begin(); fan != fans.end(); ++fan)
+            if (fan != largest)
+                for (const FaceId f : *fan)
+                    stays_[f] = false;
+        return true;
+    }
+
+    const TriangleSoup &soup_;
+    std::vector<std::array<FaceId, 3>> across_;
+    std::vector<Support> support_;
+    std::vector<bool> stays_;
+};
+
+} // namespace
+
+MembraneOpening openMembranes(const TriangleSoup &soup, const std::vector<Point3> &points,
+                              const SupportRadii &radii, double leastArea)
+{
+    Opening opening(soup, points, radii);
+    MembraneOpening result;
+    result.openings = opening.openMembranes(leastArea);
+    opening.removePinches();
+    result.faces = opening.faces();
+    return result;
+}
+
+} // namespace neuralmesh
