@@ -84,7 +84,7 @@ def test_a_membrane_is_told() -> None:
     half = half[half[:, 2] > 0]
     result = reconstruct(document_of(half), targetvertnum=1000)
     assert 0.25 < result["unsupported_area"] < 0.35
-    assert result["coverage"] == 1
+    assert result["coverage"] > 0.999
 
 
 def test_a_torus_from_a_torus_layer_has_genus_1() -> None:
