@@ -50,21 +50,23 @@ def parse_arguments() -> argparse.Namespace:
     return options
 
 
-def draw(points: Points, vertices: Points, faces: Faces) -> bytes:
+def draw(
+    points: Points, vertices: Points, faces: Faces, view_size: tuple[int, int] = VIEW_SIZE
+) -> bytes:
     """Return a picture of the points (n, 3) and the mesh, (v, 3) and (f, 3), side by side."""
-    picture = Picture(2, VIEW_SIZE)
+    picture = Picture(2, view_size)
     picture.view().add_points(
         pyvista.PolyData(points),
         scalars=points @ np.array(VIEW),  # the points' far side shows through: paler
         cmap=list(POINT_COLOURS),
         show_scalar_bar=False,
-        point_size=4.5,
+        point_size=view_size[0] / 200,
         render_points_as_spheres=True,
         lighting=False,
     )
     picture.look_at(points, VIEW, UP, f"{len(points):,} points", ZOOM)
     picture.view()
-    style = {"color": SURFACE_COLOUR, "edge_color": EDGE_COLOUR, "line_width": 0.8}
+    style = {"color": SURFACE_COLOUR, "edge_color": EDGE_COLOUR, "line_width": view_size[0] / 1125}
     picture.add_mesh(vertices, faces, show_edges=True, **style)
     picture.look_at(points, VIEW, UP, f"{len(vertices):,} vertices", ZOOM)
     return picture.png()
