@@ -100,7 +100,7 @@ def test_bunny_lies_near_its_surface_and_does_not_cross_itself(
         maxdist=Percentage(100),
     )
     assert distance["n_samples"] >= 100_000
-    # Growth alone reaches 0.12 % (issue 2).
+    # Growth alone reaches 0.12 %.
     assert distance["RMS"] <= 0.0012 * distance["diag_mesh_0"]
     mesh_set.set_current_mesh(network)
     mesh_set.compute_selection_by_self_intersections_per_face()
