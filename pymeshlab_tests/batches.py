@@ -12,7 +12,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-SCRIPTS = Path(__file__).resolve().parent.parent / "scripts"
+from neuralmesh_tools.project import SCRIPTS
+
 TIMEOUT = 240
 
 

@@ -20,8 +20,8 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
 
 from neuralmesh_tools.generated_clouds import bumpy_ellipsoid, write_ply
+from neuralmesh_tools.project import SCRIPTS
 
-COMPARE = Path(__file__).resolve().parent.parent / "scripts" / "compare.py"
 DRAWN = "return [...arguments[0].querySelectorAll('[data-figure]')].every(p => p.dataset.drawn)"
 METHODS = ["neural-mesh", "poisson", "ball-pivoting"]
 
@@ -30,7 +30,7 @@ pytestmark = pytest.mark.usefixtures("plugin")
 
 def compare(*arguments: object) -> subprocess.CompletedProcess[str]:
     """Run scripts/compare.py."""
-    command = [sys.executable, str(COMPARE), *map(str, arguments)]
+    command = [sys.executable, str(SCRIPTS / "compare.py"), *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, timeout=400, check=False)
 
 

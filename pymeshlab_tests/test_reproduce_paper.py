@@ -12,14 +12,13 @@ import pytest
 
 from neuralmesh_tools.paper.reported import TABLE_1, Row
 from neuralmesh_tools.paper.runs import DEFAULTS, PAPERS, valence_counts
-
-ROOT = Path(__file__).resolve().parent.parent
+from neuralmesh_tools.project import SCRIPTS
 
 
 def run_script(*arguments: str) -> subprocess.CompletedProcess[str]:
     """Run scripts/reproduce_paper.py and return what it printed."""
     return subprocess.run(
-        [sys.executable, ROOT / "scripts" / "reproduce_paper.py", *arguments],
+        [sys.executable, SCRIPTS / "reproduce_paper.py", *arguments],
         capture_output=True,
         text=True,
         timeout=300,

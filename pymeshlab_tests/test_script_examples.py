@@ -14,7 +14,9 @@ import pymeshlab
 import pytest
 from PIL import Image
 
-EXAMPLES = Path(__file__).resolve().parent.parent / "scripts" / "examples"
+from neuralmesh_tools.project import SCRIPTS
+
+EXAMPLES = SCRIPTS / "examples"
 
 pytestmark = pytest.mark.usefixtures("plugin")
 
