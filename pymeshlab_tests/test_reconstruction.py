@@ -233,7 +233,14 @@ def test_no_parameter_is_missing_above(bunny_points: pymeshlab.MeshSet) -> None:
     # These have tests of their own: here, in test_layers, test_snapshots, test_starting_meshes,
     # test_point_file, test_attributes.
     elsewhere = {"targetvertnum", "randomseed", "source", "densityfromquality"}
-    elsewhere |= {"snapshots", "startmesh", "startlayer", "topology", "pointfile", "transferattributes"}
+    elsewhere |= {
+        "snapshots",
+        "startmesh",
+        "startlayer",
+        "topology",
+        "pointfile",
+        "transferattributes",
+    }
     tested = {name for name, _ in PARAMETERS_THAT_MATTER} | elsewhere
     assert set(bunny_points.filter_parameter_values(FILTER)) == tested
 

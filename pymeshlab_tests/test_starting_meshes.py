@@ -71,7 +71,7 @@ def test_a_torus_from_its_points_alone_has_genus_1(how: dict[str, int]) -> None:
 
 
 def test_two_spheres_from_their_points_alone_are_two_components() -> None:
-    points = np.vstack([sphere_points(4000), sphere_points(4000) + [3, 0, 0]])
+    points = np.vstack([sphere_points(4000), sphere_points(4000) + np.array([3, 0, 0])])
     result = reconstruct(document_of(points), targetvertnum=600, topology=LEARNED)
     assert (result["vertices"], result["genus"], result["components"]) == (600, 0, 2)
     assert result["coverage"] == 1
