@@ -43,6 +43,34 @@ inline WorldPoints drawWorld(const Sampler &sampler, std::uint64_t seed, std::si
     return samples;
 }
 
+/// A target space of these points of the unit frame, drawn at random.
+class FixedPoints : public Sampler {
+public:
+    explicit FixedPoints(const std::vector<Point3> &points)
+    {
+        Box3 bounds;
+        for (const Point3 &point : points) {
+            points_.push_back(toPlain(point));
+            bounds.Add(point);
+        }
+        bounds_ = toPlain(bounds);
+    }
+
+    const UnitFrame &frame() const override { return frame_; }
+    Box bounds() const override { return bounds_; }
+    void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override
+    {
+        samples.resize(count);
+        for (Point &sample : samples)
+            sample = points_[random.below(points_.size())];
+    }
+
+private:
+    UnitFrame frame_;
+    Box bounds_;
+    std::vector<Point> points_;
+};
+
 /// Points uniform on the unit sphere by area (Archimedes).
 inline WorldPoints spherePoints(std::size_t count, std::uint64_t seed)
 {

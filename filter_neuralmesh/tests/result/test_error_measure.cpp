@@ -7,33 +7,10 @@
 
 #include "core/mesh/enumeration.h"
 #include "tests/meshes_for_tests.h"
+#include "tests/points_for_tests.h"
 
 namespace neuralmesh {
 namespace {
-
-/// Points of the unit frame, drawn at random.
-class FixedPoints : public Sampler {
-public:
-    explicit FixedPoints(std::vector<Point3> points) : points_(std::move(points))
-    {
-        for (const Point3 &point : points_)
-            bounds_.Add(point);
-    }
-
-    const UnitFrame &frame() const override { return frame_; }
-    Box3 bounds() const override { return bounds_; }
-    void draw(Random &random, std::size_t count, std::vector<Point3> &samples) const override
-    {
-        samples.resize(count);
-        for (Point3 &sample : samples)
-            sample = points_[random.below(points_.size())];
-    }
-
-private:
-    UnitFrame frame_;
-    Box3 bounds_;
-    std::vector<Point3> points_;
-};
 
 /// A torus of flat section, whose upper and lower sheet are closer to each other than the vertices,
 /// and those of one lie over the middles of the other's faces.
@@ -56,8 +33,8 @@ TEST(ErrorMeasure, finds_the_nearest_face_where_the_nearest_vertex_is_of_another
     forEachFace(mesh, [&](VertexId a, VertexId b, VertexId c) {
         onFaces.push_back((mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3);
     });
-    const FixedPoints sampler(onFaces);
-    const GrowingNetwork network(mesh, sampler.bounds(), GrowthParameters{});
+    const test::FixedPoints sampler(onFaces);
+    const GrowingNetwork network(mesh, toVcg(sampler.bounds()), GrowthParameters{});
     int onOtherSheet = 0;
     for (const Point3 &point : onFaces) {
         const Point3 nearest = mesh.position(network.nearestVertex(point));
