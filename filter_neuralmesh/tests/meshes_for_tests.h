@@ -15,7 +15,7 @@ namespace neuralmesh::test {
 
 using Triangle = std::array<VertexId, 3>;
 
-/// Builds the rings of a closed oriented mesh from its faces.
+/// Builds the rings of an oriented mesh, open or closed, from its faces.
 inline void makeMesh(NeuralMesh &mesh, const std::vector<Point3> &points,
                      const std::vector<Triangle> &faces)
 {
@@ -23,18 +23,67 @@ inline void makeMesh(NeuralMesh &mesh, const std::vector<Point3> &points,
     for (const Point3 &point : points)
         mesh.addVertex(point);
     for (VertexId v = 0; v < points.size(); ++v) {
-        // successor[a] = b for each face (v, a, b)
+        // successor[a] = b and predecessor[b] = a for each face (v, a, b)
         std::vector<VertexId> successor(points.size(), noVertex);
+        std::vector<VertexId> predecessor(points.size(), noVertex);
         VertexId first = noVertex;
         for (const Triangle &face : faces)
             for (std::size_t corner = 0; corner < 3; ++corner)
                 if (face[corner] == v) {
                     first = face[(corner + 1) % 3];
                     successor[first] = face[(corner + 2) % 3];
+                    predecessor[successor[first]] = first;
                 }
-        for (VertexId a = first; mesh.valence(v) == 0 || a != first; a = successor[a])
+        const VertexId start = first;
+        while (predecessor[first] != noVertex && predecessor[first] != start)
+            first = predecessor[first];
+        if (predecessor[first] != noVertex)
+            first = start; // closed
+        VertexId a = first;
+        do {
             mesh.ring(v).pushBack(a);
+            a = successor[a];
+        } while (a != first && a != noVertex);
+        mesh.ring(v).setOpen(a == noVertex);
     }
+}
+
+/// A flat square of `size` by `size` quads of side 1, each cut in two: open, with one boundary.
+inline void makeSquare(NeuralMesh &mesh, VertexId size)
+{
+    std::vector<Point3> points;
+    std::vector<Triangle> faces;
+    for (VertexId j = 0; j <= size; ++j)
+        for (VertexId i = 0; i <= size; ++i)
+            points.emplace_back(i, j, 0);
+    for (VertexId j = 0; j < size; ++j)
+        for (VertexId i = 0; i < size; ++i) {
+            const VertexId here = j * (size + 1) + i;
+            const VertexId up = here + size + 1;
+            faces.push_back({{here, here + 1, up + 1}});
+            faces.push_back({{here, up + 1, up}});
+        }
+    makeMesh(mesh, points, faces);
+}
+
+/// A tube of `length` rows of `around` quads, each cut in two: open, with two boundaries.
+inline void makeTube(NeuralMesh &mesh, VertexId around, VertexId length)
+{
+    std::vector<Point3> points;
+    std::vector<Triangle> faces;
+    for (VertexId j = 0; j <= length; ++j)
+        for (VertexId i = 0; i < around; ++i) {
+            const double angle = 2 * M_PI * i / around;
+            points.emplace_back(std::cos(angle), std::sin(angle), j * 2 * M_PI / around);
+        }
+    for (VertexId j = 0; j < length; ++j)
+        for (VertexId i = 0; i < around; ++i) {
+            const VertexId here = j * around + i;
+            const VertexId right = j * around + (i + 1) % around;
+            faces.push_back({{here, right, right + around}});
+            faces.push_back({{here, right + around, here + around}});
+        }
+    makeMesh(mesh, points, faces);
 }
 
 /// Corners on the axes: valence 4 everywhere.

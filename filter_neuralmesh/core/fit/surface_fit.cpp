@@ -9,6 +9,7 @@
 #include "core/fit/intersection_repair.h"
 #include "core/mesh/edge_lengths.h"
 #include "core/mesh/enumeration.h"
+#include "core/mesh/star_normal.h"
 #include "core/mesh/triangle.h"
 #include "core/mesh/vertex_data.h"
 #include "core/network/star_projection.h"
@@ -191,7 +192,7 @@ private:
     {
         const Point3 &centre = mesh_.position(v);
         Surroundings s;
-        s.normal = toEigen(network_.normal(v));
+        s.normal = toEigen(starNormal(mesh_, v));
         s.meanEdge = meanEdge(mesh_, v);
         for (const VertexId u : mesh_.ring(v))
             s.toCentre += toEigen(mesh_.position(u) - centre) / mesh_.valence(v);

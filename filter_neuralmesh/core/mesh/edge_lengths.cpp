@@ -39,7 +39,8 @@ Scalar localSpacing(const NeuralMesh &mesh, VertexId v)
             if (length < held)
                 std::swap(length, held);
     }
-    return (std::sqrt(shortest[0]) + std::sqrt(shortest[1]) + std::sqrt(shortest[2])) / 3;
+    const Scalar two = std::sqrt(shortest[0]) + std::sqrt(shortest[1]);
+    return mesh.valence(v) < 3 ? two / 2 : (two + std::sqrt(shortest[2])) / 3;
 }
 
 } // namespace neuralmesh

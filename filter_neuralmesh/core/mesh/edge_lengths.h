@@ -17,8 +17,8 @@ Scalar meanEdge(const NeuralMesh &mesh, VertexId v);
 /// Length of the shortest edge of v.
 Scalar shortestEdge(const NeuralMesh &mesh, VertexId v);
 
-/// Spacing of the vertices around v: the mean length of its three shortest edges, which stays true
-/// where up to half of the star is a web.
+/// Spacing of the vertices around v: the mean length of its three shortest edges (of two, where it
+/// has no more), which stays true where up to half of the star is a web.
 Scalar localSpacing(const NeuralMesh &mesh, VertexId v);
 
 } // namespace neuralmesh

@@ -12,7 +12,7 @@ FaceTable::FaceTable(const NeuralMesh &mesh) : mesh_(mesh)
         first_.push_back(slots);
         slots += static_cast<std::size_t>(mesh.valence(v));
     }
-    atSlot_.resize(slots);
+    atSlot_.resize(slots, noFace);
     forEachFace(mesh, [&](VertexId v, VertexId a, VertexId b) {
         atSlot_[slot(v, a)] = atSlot_[slot(a, b)] = atSlot_[slot(b, v)] = size();
         corners_.push_back({v, a, b});

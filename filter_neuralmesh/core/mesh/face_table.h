@@ -10,6 +10,7 @@
 namespace neuralmesh {
 
 using FaceId = std::uint32_t;
+inline constexpr FaceId noFace = 0xffffffffU;
 
 /// Valid until the mesh's connectivity changes.
 class FaceTable {
@@ -19,10 +20,11 @@ public:
     FaceId size() const { return static_cast<FaceId>(corners_.size()); }
     const Corners &corners(FaceId face) const { return corners_[face]; }
 
-    /// The face (a, b, x) to the left of edge a -> b. They must be neighbours.
+    /// The face (a, b, x) to the left of edge a -> b, or noFace where a boundary is. They must be
+    /// neighbours.
     FaceId leftOf(VertexId a, VertexId b) const { return atSlot_[slot(a, b)]; }
 
-    /// The face (v, a, b) of neighbours a, b at places i and i + 1 of v's ring.
+    /// The face (v, a, b) of neighbours a, b at places i and i + 1 of v's ring, or noFace.
     FaceId around(VertexId v, int i) const { return atSlot_[first_[v] + static_cast<FaceId>(i)]; }
 
 private:

@@ -53,33 +53,42 @@ void requireProperFaces(const Faces &faces)
         throw InvalidStartingMesh(Problem::repeatedCorner, static_cast<std::uint64_t>(broken));
 }
 
-void requireTwoFacesAtEachEdge(const std::vector<Side> &sides)
+/// The end of the sides of one edge, which begin at `begin`.
+std::size_t endOfEdge(const std::vector<Side> &sides, std::size_t begin)
+{
+    std::size_t end = begin + 1;
+    while (end < sides.size() && sides[end].low == sides[begin].low &&
+           sides[end].high == sides[begin].high)
+        ++end;
+    return end;
+}
+
+void requireTwoFacesAtEachEdge(const std::vector<Side> &sides, Boundaries boundaries)
 {
     std::size_t open = 0;
     std::size_t crowded = 0;
     for (std::size_t i = 0; i < sides.size();) {
-        std::size_t end = i + 1;
-        while (end < sides.size() && sides[end].low == sides[i].low &&
-               sides[end].high == sides[i].high)
-            ++end;
+        const std::size_t end = endOfEdge(sides, i);
         open += end - i == 1 ? 1 : 0;
         crowded += end - i > 2 ? 1 : 0;
         i = end;
     }
     if (crowded > 0)
         throw InvalidStartingMesh(Problem::crowdedEdge, crowded);
-    if (open > 0)
+    if (open > 0 && boundaries == Boundaries::refused)
         throw InvalidStartingMesh(Problem::openEdge, open);
 }
 
 /// Faces across each face's sides, and whether the two agree on their orientation.
 class Adjacency {
 public:
-    explicit Adjacency(const Faces &faces) : neighbours_(faces.size())
+    Adjacency(const Faces &faces, Boundaries boundaries) : neighbours_(faces.size())
     {
         const std::vector<Side> sides = sortedSides(faces);
-        requireTwoFacesAtEachEdge(sides);
-        for (std::size_t i = 0; i < sides.size(); i += 2) {
+        requireTwoFacesAtEachEdge(sides, boundaries);
+        for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+            if (endOfEdge(sides, i) == i + 1)
+                continue; // on a boundary, or seen with the side before
             const Side &a = sides[i];
             const Side &b = sides[i + 1];
             const bool agree = a.isRising != b.isRising;
@@ -90,9 +99,11 @@ public:
 
     template <class Visit> void forEachNeighbour(FaceId face, Visit visit) const
     {
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < neighbours_[face].count; ++i)
             visit(neighbours_[face].faces[i], neighbours_[face].agree[i]);
     }
+
+    bool isOnBoundary(FaceId face) const { return neighbours_[face].count < 3; }
 
 private:
     struct Neighbours {
@@ -120,9 +131,9 @@ double volumeOf(const std::vector<Point3> &points, const Faces &faces,
 }
 
 /// Turns faces so that neighbours agree, component by component.
-void orient(const std::vector<Point3> &points, Faces &faces)
+void orient(const std::vector<Point3> &points, Faces &faces, Boundaries boundaries)
 {
-    const Adjacency adjacency(faces);
+    const Adjacency adjacency(faces, boundaries);
     enum State : unsigned char { unseen, kept, turned };
     std::vector<State> states(faces.size(), unseen);
     for (FaceId seed = 0; seed < faces.size(); ++seed) {
@@ -131,8 +142,10 @@ void orient(const std::vector<Point3> &points, Faces &faces)
         states[seed] = kept;
         std::vector<FaceId> component{seed};
         bool hasTurned = false;
+        bool isClosed = true;
         for (std::size_t next = 0; next < component.size(); ++next) {
             const FaceId f = component[next];
+            isClosed = isClosed && !adjacency.isOnBoundary(f);
             adjacency.forEachNeighbour(f, [&](FaceId g, bool agree) {
                 const State wanted = agree == (states[f] == kept) ? kept : turned;
                 if (states[g] == unseen) {
@@ -148,7 +161,7 @@ void orient(const std::vector<Point3> &points, Faces &faces)
                 std::swap(faces[f][1], faces[f][2]);
                 hasTurned = true;
             }
-        if (hasTurned && volumeOf(points, faces, component) < 0)
+        if (hasTurned && isClosed && volumeOf(points, faces, component) < 0)
             for (const FaceId f : component)
                 std::swap(faces[f][1], faces[f][2]);
     }
@@ -168,28 +181,46 @@ void addVertices(NeuralMesh &mesh, const std::vector<Point3> &points, Faces &fac
         }
 }
 
+/// The neighbour that no step leads to, if there is one: v lies on a boundary then.
+VertexId startOfRing(const std::vector<std::pair<VertexId, VertexId>> &steps)
+{
+    for (const auto &step : steps)
+        if (std::none_of(steps.begin(), steps.end(),
+                         [&](const auto &other) { return other.second == step.first; }))
+            return step.first;
+    return steps.front().first;
+}
+
 /// The ring of v from the sides opposite to it in its faces, each from a neighbour to the next.
 void makeRing(NeuralMesh &mesh, VertexId v, std::vector<std::pair<VertexId, VertexId>> &steps)
 {
     std::sort(steps.begin(), steps.end());
-    VertexId at = steps.front().first;
+    const auto from = [&](VertexId at) {
+        const auto step = std::lower_bound(steps.begin(), steps.end(), std::pair(at, VertexId(0)));
+        return step != steps.end() && step->first == at ? step->second : noVertex;
+    };
+    NeighbourRing &ring = mesh.ring(v);
+    const VertexId start = startOfRing(steps);
+    VertexId at = start;
     do {
-        mesh.ring(v).pushBack(at);
-        at = std::lower_bound(steps.begin(), steps.end(), std::make_pair(at, VertexId(0)))->second;
-    } while (at != steps.front().first);
-    if (mesh.ring(v).size() != static_cast<int>(steps.size()))
+        ring.pushBack(at);
+        at = from(at);
+    } while (at != start && at != noVertex);
+    ring.setOpen(at == noVertex);
+    if (ring.faceCount() != static_cast<int>(steps.size()))
         throw InvalidStartingMesh(Problem::severalFans);
-    if (steps.size() < 3)
+    if (!ring.isOpen() && steps.size() < 3)
         throw InvalidStartingMesh(Problem::doubledFace);
 }
 
 } // namespace
 
-void makeManifold(NeuralMesh &mesh, const std::vector<Point3> &points, const Faces &given)
+void makeManifold(NeuralMesh &mesh, const std::vector<Point3> &points, const Faces &given,
+                  Boundaries boundaries)
 {
     Faces faces = given;
     requireProperFaces(faces);
-    orient(points, faces);
+    orient(points, faces, boundaries);
     addVertices(mesh, points, faces);
     std::vector<std::vector<std::pair<VertexId, VertexId>>> steps(mesh.idBound());
     for (const Corners &face : faces)

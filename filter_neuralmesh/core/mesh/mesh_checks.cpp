@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/mesh/boundary.h"
 #include "core/mesh/enumeration.h"
 
 namespace neuralmesh {
@@ -19,21 +20,25 @@ std::string describe(const char *what, VertexId v, VertexId u)
 std::string findDefectAt(const NeuralMesh &mesh, VertexId v)
 {
     const NeighbourRing &ring = mesh.ring(v);
-    if (ring.size() < 3)
-        return describe("a vertex has fewer than three neighbours", v, v);
+    if (ring.size() < (ring.isOpen() ? 2 : 3))
+        return describe("a vertex has too few neighbours", v, v);
     if (std::set<VertexId>(ring.begin(), ring.end()).size() !=
         static_cast<std::size_t>(ring.size()))
         return describe("a ring names a neighbour twice", v, v);
     for (int i = 0; i < ring.size(); ++i) {
         const VertexId a = ring[i];
-        const VertexId b = ring[ring.next(i)];
         if (a == v)
             return describe("a vertex is its own neighbour", v, v);
         if (!mesh.isLive(a))
             return describe("a ring names a removed vertex", v, a);
         const NeighbourRing &other = mesh.ring(a);
-        const int place = other.find(b);
-        if (place < 0 || other[other.next(place)] != v)
+        if (!ring.hasFaceAfter(i)) {
+            if (!other.isOpen() || other[0] != v)
+                return describe("a boundary is not the same seen from two of its vertices", v, a);
+            continue;
+        }
+        const int place = other.find(ring[ring.next(i)]);
+        if (place < 0 || !other.hasFaceAfter(place) || other[other.next(place)] != v)
             return describe("a face is not the same seen from two of its corners", v, a);
     }
     return {};
@@ -97,7 +102,9 @@ TopologyFigures measureTopology(const NeuralMesh &mesh)
     });
     forEachEdge(mesh, [&](VertexId, VertexId) { ++figures.edges; });
     forEachFace(mesh, [&](VertexId, VertexId, VertexId) { ++figures.faces; });
-    figures.genus = figures.components - (figures.vertices - figures.edges + figures.faces) / 2;
+    figures.boundaryLoops = static_cast<int>(boundaryLoops(mesh).size());
+    figures.genus = figures.components -
+                    (figures.vertices - figures.edges + figures.faces + figures.boundaryLoops) / 2;
     return figures;
 }
 

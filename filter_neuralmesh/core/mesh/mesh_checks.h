@@ -9,9 +9,10 @@
 
 namespace neuralmesh {
 
-/// The first broken invariant in words, or an empty string where the mesh is a closed oriented
-/// two-manifold: every ring has three or more distinct live neighbours, neighbourhood is mutual,
-/// and the two faces at each edge agree on their orientation.
+/// The first broken invariant in words, or an empty string where the mesh is an oriented
+/// two-manifold with or without boundaries: every ring has three or more distinct live neighbours,
+/// on a boundary two or more, neighbourhood is mutual, the two faces at each edge agree on their
+/// orientation, and the rings at both ends of an edge agree on its being one of a boundary.
 std::string findDefect(const NeuralMesh &mesh);
 
 /// Throws std::logic_error with the first broken invariant.
@@ -22,7 +23,8 @@ struct TopologyFigures {
     int edges = 0;
     int faces = 0;
     int components = 0;
-    /// Sum of the components' genera: components - (V - E + F) / 2 on a closed mesh.
+    int boundaryLoops = 0;
+    /// Sum of the components' genera: components - (V - E + F + boundaryLoops) / 2.
     int genus = 0;
 };
 
@@ -34,7 +36,7 @@ TopologyFigures measureTopology(const NeuralMesh &mesh);
 /// Entry k counts the vertices of valence k.
 std::vector<int> valenceHistogram(const NeuralMesh &mesh);
 
-/// Signed volume inside the mesh: negative where it is turned inside out.
+/// Signed volume inside a closed mesh: negative where it is turned inside out.
 double signedVolume(const NeuralMesh &mesh);
 
 } // namespace neuralmesh

@@ -48,6 +48,7 @@ public:
     const NeighbourRing &ring(VertexId v) const { return vert[v].cR(); }
     NeighbourRing &ring(VertexId v) { return vert[v].R(); }
     int valence(VertexId v) const { return vert[v].cR().size(); }
+    bool isOnBoundary(VertexId v) const { return vert[v].cR().isOpen(); }
     bool isLive(VertexId v) const { return v < vert.size() && !vert[v].IsD(); }
 
     /// Slots in use or free: every id is below this.

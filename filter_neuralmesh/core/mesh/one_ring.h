@@ -2,6 +2,7 @@
 // The ordered neighbour ring of a vertex, and the VCG vertex component that holds it.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 #include <memory>
@@ -15,8 +16,11 @@ namespace neuralmesh {
 /// Ids index NeuralMesh::vert. They stay valid while the mesh grows; pointers do not.
 inline constexpr VertexId noVertex = 0xffffffffU;
 
-/// The neighbours of a vertex in counter-clockwise order seen from outside, closed: the last is
-/// followed by the first. Consecutive neighbours a, b of v stand for the face (v, a, b).
+/// The neighbours of a vertex in counter-clockwise order seen from outside. Consecutive neighbours
+/// a, b of v stand for the face (v, a, b). The ring of a vertex inside the surface is closed: the
+/// last neighbour is followed by the first. That of a vertex on a boundary is open: between the
+/// last and the first there is no face. Then the first is the next vertex along the boundary with
+/// the surface to the left, the last is the previous one.
 ///
 /// The usual valences are stored inline, so that walking a ring costs loads that do not wait for
 /// each other (about twice as fast as walking half-edges); longer rings spill to the heap.
@@ -33,6 +37,7 @@ public:
         if (this == &other)
             return *this;
         size_ = other.size_;
+        isOpen_ = other.isOpen_;
         for (int i = 0; i < inlineCapacity; ++i)
             inline_[i] = other.inline_[i];
         spill_ = other.spill_ ? std::make_unique<std::vector<VertexId>>(*other.spill_) : nullptr;
@@ -40,8 +45,15 @@ public:
     }
 
     int size() const { return size_; }
+    bool isOpen() const { return isOpen_; }
+    void setOpen(bool isOpen) { isOpen_ = isOpen; }
+
     /// Faces around the vertex: face i lies between the neighbours at places i and next(i).
-    int faceCount() const { return size_; }
+    int faceCount() const { return isOpen_ ? size_ - 1 : size_; }
+    bool hasFaceAfter(int place) const { return !isOpen_ || place + 1 < size_; }
+    bool hasFaceBefore(int place) const { return !isOpen_ || place > 0; }
+    /// Whether the edge to the neighbour at that place is one of a boundary.
+    bool isBoundaryEdge(int place) const { return isOpen_ && (place == 0 || place + 1 == size_); }
     const VertexId *begin() const { return spill_ ? spill_->data() : inline_; }
     const VertexId *end() const { return begin() + size_; }
     VertexId operator[](int i) const
@@ -50,7 +62,7 @@ public:
         return begin()[i];
     }
 
-    /// The neighbour i places after the first, for any i >= 0: the ring is closed.
+    /// The neighbour i places after the first, for any i >= 0, as if the ring were closed.
     VertexId at(int i) const { return begin()[i % size_]; }
     int next(int i) const { return i + 1 < size_ ? i + 1 : 0; }
     int previous(int i) const { return i > 0 ? i - 1 : size_ - 1; }
@@ -66,9 +78,11 @@ public:
     }
     bool contains(VertexId id) const { return find(id) >= 0; }
 
+    /// Leaves the ring closed.
     void clear()
     {
         size_ = 0;
+        isOpen_ = false;
         spill_.reset();
     }
     void pushBack(VertexId id) { insert(size_, id); }
@@ -95,6 +109,9 @@ public:
         --size_;
     }
 
+    /// Makes the neighbour at `place` the first.
+    void rotate(int place) { std::rotate(data(), data() + place, data() + size_); }
+
 private:
     VertexId *data() { return spill_ ? spill_->data() : inline_; }
 
@@ -110,6 +127,7 @@ private:
 
     std::int32_t size_ = 0;
     VertexId inline_[inlineCapacity] = {};
+    bool isOpen_ = false;
     std::unique_ptr<std::vector<VertexId>> spill_;
 };
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/ring_surgery.h"
 
-#include "core/mesh/ring_topology.h"
+#include <algorithm>
 
 namespace neuralmesh {
 namespace {
 
-/// Makes `across` all that v is joined to between the next and the previous vertex of its rim.
-void setAcross(NeuralMesh &mesh, VertexId v, VertexId next, VertexId previous,
-               const std::vector<VertexId> &across)
+/// Makes `across` all that v is joined to between the next and the previous vertex of a rim, in
+/// place of the faces of a disc or of the gap in v's ring.
+void fillBetween(NeuralMesh &mesh, VertexId v, VertexId next, VertexId previous,
+                 const std::vector<VertexId> &across)
 {
     const NeighbourRing before = mesh.ring(v);
     NeighbourRing &ring = mesh.ring(v);
@@ -19,6 +20,12 @@ void setAcross(NeuralMesh &mesh, VertexId v, VertexId next, VertexId previous,
     ring.pushBack(previous);
     for (int i = before.next(before.find(previous)); before[i] != next; i = before.next(i))
         ring.pushBack(before[i]);
+    const bool isGapFilled =
+        before[0] == previous && before[before.size() - 1] == next; // the gap was the hole
+    if (before.isOpen() && !isGapFilled) {
+        ring.rotate(ring.find(before[0]));
+        ring.setOpen(true);
+    }
 }
 
 std::size_t cyclic(std::size_t place, std::size_t size)
@@ -27,6 +34,65 @@ std::size_t cyclic(std::size_t place, std::size_t size)
 }
 
 } // namespace
+
+void refillDisc(NeuralMesh &mesh, const std::vector<VertexId> &rim,
+                const std::vector<VertexId> &interior, const std::vector<LoopTriangle> &triangles)
+{
+    const std::size_t size = rim.size();
+    // Each diagonal is once the longest side, in places, of a triangle.
+    std::vector<std::vector<std::size_t>> diagonals(size);
+    for (const LoopTriangle &triangle : triangles) {
+        const auto i = static_cast<std::size_t>(triangle[0]);
+        const auto j = static_cast<std::size_t>(triangle[2]);
+        if (i == 0 && j + 1 == size)
+            continue;
+        diagonals[i].push_back(j);
+        diagonals[j].push_back(i);
+    }
+    for (std::size_t place = 0; place < size; ++place) {
+        std::vector<std::size_t> &fan = diagonals[place];
+        std::sort(fan.begin(), fan.end(), [&](std::size_t a, std::size_t b) {
+            return cyclic(a + size - place, size) < cyclic(b + size - place, size);
+        });
+        std::vector<VertexId> across;
+        for (const std::size_t other : fan)
+            across.push_back(rim[other]);
+        fillBetween(mesh, rim[place], rim[cyclic(place + 1, size)],
+                    rim[cyclic(place + size - 1, size)], across);
+    }
+    for (const VertexId v : interior)
+        mesh.removeVertex(v);
+}
+
+bool canOpenDisc(const NeuralMesh &mesh, const std::vector<VertexId> &rim)
+{
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+        const NeighbourRing &ring = mesh.ring(rim[k]);
+        const int previous = ring.find(rim[cyclic(k + rim.size() - 1, rim.size())]);
+        // Without a face behind the previous vertex there is none to the right of the rim.
+        if (ring.isOpen() || ring[ring.next(previous)] == rim[cyclic(k + 1, rim.size())])
+            return false;
+    }
+    return true;
+}
+
+void openDisc(NeuralMesh &mesh, const std::vector<VertexId> &rim,
+              const std::vector<VertexId> &interior)
+{
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+        const VertexId next = rim[cyclic(k + 1, rim.size())];
+        const VertexId previous = rim[cyclic(k + rim.size() - 1, rim.size())];
+        const NeighbourRing before = mesh.ring(rim[k]);
+        NeighbourRing &ring = mesh.ring(rim[k]);
+        ring.clear();
+        for (int i = before.find(previous); before[i] != next; i = before.next(i))
+            ring.pushBack(before[i]);
+        ring.pushBack(next);
+        ring.setOpen(true);
+    }
+    for (const VertexId v : interior)
+        mesh.removeVertex(v);
+}
 
 void bridgeDiscs(NeuralMesh &mesh, const std::vector<VertexId> &firstRim,
                  const std::vector<VertexId> &secondRim,
@@ -56,8 +122,8 @@ void bridgeDiscs(NeuralMesh &mesh, const std::vector<VertexId> &firstRim,
     const auto join = [&](const std::vector<VertexId> &rim,
                           const std::vector<std::vector<VertexId>> &across) {
         for (std::size_t i = 0; i < rim.size(); ++i)
-            setAcross(mesh, rim[i], rim[cyclic(i + 1, rim.size())],
-                      rim[cyclic(i + rim.size() - 1, rim.size())], across[i]);
+            fillBetween(mesh, rim[i], rim[cyclic(i + 1, rim.size())],
+                        rim[cyclic(i + rim.size() - 1, rim.size())], across[i]);
     };
     join(firstRim, acrossFirst);
     join(secondRim, acrossSecond);
@@ -72,7 +138,8 @@ bool canCut(const NeuralMesh &mesh, const std::vector<VertexId> &loop)
         const NeighbourRing &ring = mesh.ring(loop[k]);
         const int next = ring.find(loop[cyclic(k + 1, size)]);
         const int previous = ring.find(loop[cyclic(k + size - 1, size)]);
-        if (next < 0 || previous < 0 || ring.next(next) == previous || ring.next(previous) == next)
+        if (ring.isOpen() || next < 0 || previous < 0 || ring.next(next) == previous ||
+            ring.next(previous) == next)
             return false;
     }
     return true;
@@ -96,6 +163,7 @@ std::vector<VertexId> cutOpen(NeuralMesh &mesh, const std::vector<VertexId> &loo
         for (int i = whole.find(loop[after]); i != previous; i = whole.next(i))
             left.pushBack(whole[i]);
         left.pushBack(loop[before]);
+        left.setOpen(true);
         NeighbourRing &right = mesh.ring(copies[k]);
         right.clear();
         right.pushBack(copies[before]);
@@ -105,6 +173,7 @@ std::vector<VertexId> cutOpen(NeuralMesh &mesh, const std::vector<VertexId> &loo
             other.set(other.find(loop[k]), copies[k]);
         }
         right.pushBack(copies[after]);
+        right.setOpen(true);
     }
     return copies;
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/ring_topology.h"
 
-#include <algorithm>
-
 #include <vcg/complex/allocate.h>
 
+#include "core/mesh/boundary.h"
 #include "core/mesh/enumeration.h"
 
 namespace neuralmesh {
@@ -18,6 +17,11 @@ void replaceNeighbour(NeighbourRing &ring, VertexId from, VertexId to)
 void insertAfter(NeighbourRing &ring, VertexId place, VertexId id)
 {
     ring.insert(ring.find(place) + 1, id);
+}
+
+void insertBefore(NeighbourRing &ring, VertexId place, VertexId id)
+{
+    ring.insert(ring.find(place), id);
 }
 
 void eraseNeighbour(NeighbourRing &ring, VertexId id)
@@ -39,32 +43,59 @@ OppositeVertices oppositeVertices(const NeuralMesh &mesh, VertexId v, VertexId u
 {
     const NeighbourRing &ring = mesh.ring(v);
     const int place = ring.find(u);
-    return {ring[ring.next(place)], ring[ring.previous(place)]};
+    return {ring.hasFaceAfter(place) ? ring[ring.next(place)] : noVertex,
+            ring.hasFaceBefore(place) ? ring[ring.previous(place)] : noVertex};
 }
 
 bool canCollapse(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
-    // Two neighbours of valence 3 that pass the link condition are corners of a tetrahedron.
-    return mesh.ring(v).contains(u) && commonNeighbours(mesh, v, u) == 2 &&
-           (mesh.valence(v) > 3 || mesh.valence(u) > 3);
+    const int place = mesh.ring(v).find(u);
+    if (place < 0)
+        return false;
+    const int common = commonNeighbours(mesh, v, u);
+    if (!mesh.isOnBoundary(v) && !mesh.isOnBoundary(u))
+        // Two neighbours of valence 3 that pass the link condition are corners of a tetrahedron.
+        return common == 2 && (mesh.valence(v) > 3 || mesh.valence(u) > 3);
+    const OppositeVertices opposite = oppositeVertices(mesh, v, u);
+    const bool isOnBoundary = mesh.ring(v).isBoundaryEdge(place);
+    if (common != (isOnBoundary ? 1 : 2))
+        return false;
+    if (mesh.isOnBoundary(v) && mesh.isOnBoundary(u) && !isOnBoundary)
+        return false; // u would join two boundaries
+    // An opposite vertex of one face only would be left without any.
+    for (const VertexId x : {opposite.left, opposite.right})
+        if (x != noVertex && mesh.isOnBoundary(x) && mesh.valence(x) < 3)
+            return false;
+    return true;
 }
 
 void collapse(NeuralMesh &mesh, VertexId v, VertexId u)
 {
     // v's ring, from u on: u, left, x1 ... xm, right. u's ring holds left, v, right in a row, and
-    // v there gives way to x1 ... xm.
+    // v there gives way to x1 ... xm. On a boundary left or right may be missing, and the gap in
+    // v's ring, wherever it is among the x, comes with them.
     const NeighbourRing ring = mesh.ring(v);
+    const OppositeVertices opposite = oppositeVertices(mesh, v, u);
     const int start = ring.find(u);
-    const int valence = ring.size();
     NeighbourRing &kept = mesh.ring(u);
-    eraseNeighbour(mesh.ring(ring.at(start + 1)), v);
-    eraseNeighbour(mesh.ring(ring.at(start + valence - 1)), v);
+    for (const VertexId x : {opposite.left, opposite.right})
+        if (x != noVertex)
+            eraseNeighbour(mesh.ring(x), v);
     int place = kept.find(v);
     kept.erase(place);
-    for (int i = 2; i + 1 < valence; ++i) {
+    int gap = -1;
+    for (int i = 1; i < ring.size(); ++i) {
         const VertexId x = ring.at(start + i);
+        if (ring.isOpen() && x == ring[0])
+            gap = place;
+        if (x == opposite.left || x == opposite.right)
+            continue;
         replaceNeighbour(mesh.ring(x), v, u);
         kept.insert(place++, x);
+    }
+    if (ring.isOpen() && !kept.isOpen()) {
+        kept.rotate(gap);
+        kept.setOpen(true);
     }
     mesh.removeVertex(v);
 }
@@ -72,31 +103,46 @@ void collapse(NeuralMesh &mesh, VertexId v, VertexId u)
 void split(NeuralMesh &mesh, VertexId v, int first, int last, VertexId w)
 {
     const NeighbourRing ring = mesh.ring(v);
-    const int span = (last - first + ring.size()) % ring.size();
+    const int size = ring.size();
+    const int begin = first == gapPlace ? 0 : first;
+    const int end = last == gapPlace ? size - 1 : last;
+    const int span = (end - begin + size) % size;
+
     NeighbourRing &taken = mesh.ring(w);
     taken.clear();
+    taken.setOpen(first == gapPlace || last == gapPlace);
+    if (last == gapPlace)
+        taken.pushBack(v);
     for (int i = 0; i <= span; ++i)
-        taken.pushBack(ring.at(first + i));
-    taken.pushBack(v);
+        taken.pushBack(ring.at(begin + i));
+    if (last != gapPlace)
+        taken.pushBack(v);
 
-    for (int i = 1; i < span; ++i)
-        replaceNeighbour(mesh.ring(ring.at(first + i)), v, w);
-    NeighbourRing &firstRing = mesh.ring(ring[first]);
-    firstRing.insert(firstRing.find(v), w);
-    insertAfter(mesh.ring(ring[last]), v, w);
+    for (int i = first == gapPlace ? 0 : 1; i < span + (last == gapPlace ? 1 : 0); ++i)
+        replaceNeighbour(mesh.ring(ring.at(begin + i)), v, w);
+    if (first != gapPlace)
+        insertBefore(mesh.ring(ring[first]), v, w);
+    if (last != gapPlace)
+        insertAfter(mesh.ring(ring[last]), v, w);
 
     NeighbourRing &kept = mesh.ring(v);
     kept.clear();
-    kept.pushBack(ring[first]);
+    kept.setOpen(ring.isOpen());
+    for (int i = ring.isOpen() ? 0 : first; i <= first; ++i) // none where first is the gap
+        kept.pushBack(ring[i]);
     kept.pushBack(w);
-    for (int i = span; i < ring.size(); ++i)
-        kept.pushBack(ring.at(first + i));
+    for (int i = span; last != gapPlace && i < size - (ring.isOpen() ? begin : 0); ++i)
+        kept.pushBack(ring.at(begin + i));
 }
 
 bool canFlip(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
-    if (mesh.valence(v) <= 3 || mesh.valence(u) <= 3 || !mesh.ring(v).contains(u))
+    const int place = mesh.ring(v).find(u);
+    if (place < 0 || mesh.ring(v).isBoundaryEdge(place))
         return false;
+    for (const VertexId x : {v, u})
+        if (mesh.valence(x) <= (mesh.isOnBoundary(x) ? 2 : 3))
+            return false;
     const OppositeVertices opposite = oppositeVertices(mesh, v, u);
     return opposite.left != opposite.right && !mesh.ring(opposite.left).contains(opposite.right);
 }
@@ -110,41 +156,19 @@ void flip(NeuralMesh &mesh, VertexId v, VertexId u)
     insertAfter(mesh.ring(opposite.right), u, opposite.left);
 }
 
-void refillDisc(NeuralMesh &mesh, const std::vector<VertexId> &rim,
-                const std::vector<VertexId> &interior, const std::vector<LoopTriangle> &triangles)
+bool canCloseOver(const NeuralMesh &mesh, VertexId v)
 {
-    const std::size_t size = rim.size();
-    // Each diagonal is once the longest side, in places, of a triangle.
-    std::vector<std::vector<std::size_t>> diagonals(size);
-    for (const LoopTriangle &triangle : triangles) {
-        const auto i = static_cast<std::size_t>(triangle[0]);
-        const auto j = static_cast<std::size_t>(triangle[2]);
-        if (i == 0 && j + 1 == size)
-            continue;
-        diagonals[i].push_back(j);
-        diagonals[j].push_back(i);
-    }
-    for (std::size_t place = 0; place < size; ++place) {
-        // Counter-clockwise: the next vertex of the rim, the diagonals, the previous vertex, then
-        // the neighbours outside the disc.
-        const VertexId next = rim[(place + 1) % size];
-        const VertexId previous = rim[(place + size - 1) % size];
-        std::vector<std::size_t> &fan = diagonals[place];
-        std::sort(fan.begin(), fan.end(), [&](std::size_t a, std::size_t b) {
-            return (a + size - place) % size < (b + size - place) % size;
-        });
-        const NeighbourRing before = mesh.ring(rim[place]);
-        NeighbourRing &ring = mesh.ring(rim[place]);
-        ring.clear();
-        ring.pushBack(next);
-        for (const std::size_t other : fan)
-            ring.pushBack(rim[other]);
-        ring.pushBack(previous);
-        for (int i = before.next(before.find(previous)); before[i] != next; i = before.next(i))
-            ring.pushBack(before[i]);
-    }
-    for (const VertexId v : interior)
-        mesh.removeVertex(v);
+    return mesh.isOnBoundary(v) &&
+           !mesh.ring(nextOnBoundary(mesh, v)).contains(previousOnBoundary(mesh, v));
+}
+
+void closeOver(NeuralMesh &mesh, VertexId v)
+{
+    const VertexId next = nextOnBoundary(mesh, v);
+    const VertexId previous = previousOnBoundary(mesh, v);
+    mesh.ring(previous).insert(0, next);
+    mesh.ring(next).pushBack(previous);
+    mesh.ring(v).setOpen(false);
 }
 
 void rebuildFaces(NeuralMesh &mesh)

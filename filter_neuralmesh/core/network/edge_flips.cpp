@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "core/mesh/boundary.h"
 #include "core/mesh/ring_topology.h"
 #include "core/mesh/triangle.h"
+#include "core/network/valences.h"
 
 namespace neuralmesh {
 namespace {
@@ -59,8 +61,8 @@ int valenceGain(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
     // Both ends lose one and both opposite vertices win one; the squares cancel to this.
     const OppositeVertices opposite = oppositeVertices(mesh, v, u);
-    return 2 * (mesh.valence(v) + mesh.valence(u) - mesh.valence(opposite.left) -
-                mesh.valence(opposite.right)) -
+    return 2 * (valenceExcess(mesh, v) + valenceExcess(mesh, u) -
+                valenceExcess(mesh, opposite.left) - valenceExcess(mesh, opposite.right)) -
            4;
 }
 
@@ -83,7 +85,8 @@ int evenValencesAround(NeuralMesh &mesh, VertexId v)
 {
     int flips = 0;
     const auto flipIfBetter = [&](VertexId a, VertexId b) {
-        if (!flipImproves(mesh, a, b) || !canFlip(mesh, a, b) || !flipKeepsSurface(mesh, a, b))
+        if (isBoundaryEdge(mesh, a, b) || !flipImproves(mesh, a, b) || !canFlip(mesh, a, b) ||
+            !flipKeepsSurface(mesh, a, b))
             return false;
         flip(mesh, a, b);
         ++flips;
@@ -92,9 +95,9 @@ int evenValencesAround(NeuralMesh &mesh, VertexId v)
     // Each flip lowers a sum of squares or, at the same sum, widens the smallest angle of its four
     // corners, so this ends. A flip changes the ring: start it anew.
     for (int i = 0; i < mesh.valence(v); ++i) {
-        const VertexId a = mesh.ring(v)[i];
-        const VertexId b = mesh.ring(v).at(i + 1);
-        if (flipIfBetter(v, a) || flipIfBetter(a, b))
+        const NeighbourRing &ring = mesh.ring(v);
+        const VertexId a = ring[i];
+        if (flipIfBetter(v, a) || (ring.hasFaceAfter(i) && flipIfBetter(a, ring[ring.next(i)])))
             i = -1;
     }
     return flips;

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mesh/boundary.h"
 #include "core/mesh/edge_lengths.h"
 #include "core/mesh/enumeration.h"
+#include "core/mesh/ring_surgery.h"
 #include "core/mesh/ring_topology.h"
 #include "core/mesh/self_intersections.h"
+#include "core/network/boundary_notches.h"
 #include "core/network/edge_flips.h"
 #include "core/network/regular_collapses.h"
 #include "core/network/valences.h"
@@ -52,7 +55,8 @@ constexpr Scalar sheetDistance = 0.8;
 GrowingNetwork::GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
                                const GrowthParameters &parameters)
     : parameters_(parameters), rules_(LearningRules::of(parameters.splitRule)), mesh_(startingMesh),
-      grid_(bounds), lastWin_(startingMesh)
+      grid_(bounds), smoothing_(parameters.smoothingRate, parameters.smoothingPasses),
+      lastWin_(startingMesh)
 {
     forEachVertex(mesh_, [&](VertexId v) { enrol(v); });
     mesh_.follow(*this);
@@ -67,12 +71,12 @@ VertexId GrowingNetwork::nearestVertex(const Point3 &sample, VertexId hint) cons
 VertexId GrowingNetwork::findWinner(const Point3 &sample, VertexId hint) const
 {
     const VertexId nearest = nearestVertex(sample, hint);
-    if (!rules_.winnerIsOnNearestSheet || isYoung(vertexCount()))
+    if (!rules_.winnerIsOnNearestSheet)
         return nearest;
-    const StarProjection p = project(nearest, sample);
-    if (p.corners[0] == nearest)
-        return nearest;
-    return p.corners[std::max_element(p.weights, p.weights + 3) - p.weights];
+    const StarProjection p =
+        isYoung(vertexCount()) ? projectOnStar(mesh_, nearest, sample) : project(nearest, sample);
+    const bool isOnOwnSheet = p.corners[0] == nearest;
+    return isOnOwnSheet && !liesOnBoundary(mesh_, p) ? nearest : nearestCorner(p);
 }
 
 StarProjection GrowingNetwork::project(VertexId winner, const Point3 &sample) const
@@ -114,17 +118,14 @@ SelfIntersections GrowingNetwork::findSelfIntersections()
 
 void GrowingNetwork::evenValences()
 {
+    fillNotches(mesh_);
     forEachVertex(mesh_, [&](VertexId v) { evenValencesAround(mesh_, v); });
 }
 
 std::vector<VertexId> GrowingNetwork::exchangeIrregular()
 {
-    const auto isLow = [&](VertexId v) {
-        return mesh_.isLive(v) && mesh_.valence(v) < idealValence - 1;
-    };
-    const auto isHigh = [&](VertexId v) {
-        return mesh_.isLive(v) && mesh_.valence(v) > idealValence + 1;
-    };
+    const auto isLow = [&](VertexId v) { return mesh_.isLive(v) && valenceExcess(mesh_, v) < -1; };
+    const auto isHigh = [&](VertexId v) { return mesh_.isLive(v) && valenceExcess(mesh_, v) > 1; };
     const VertexId bound = mesh_.idBound();
     int spared = 0;
     int wanted = 0;
@@ -142,7 +143,7 @@ std::vector<VertexId> GrowingNetwork::exchangeIrregular()
     for (const VertexId v : mostRegularCollapses(mesh_)) {
         if (spared >= wanted)
             break;
-        if (mesh_.valence(v) == idealValence - 1)
+        if (valenceExcess(mesh_, v) == -1)
             spare(v);
     }
     std::vector<VertexId> made;
@@ -167,54 +168,10 @@ void GrowingNetwork::adapt(VertexId winner, const Point3 &sample)
     position += (sample - position) * parameters_.winnerRate;
     grid_.move(winner, position);
 
-    smoothNeighbours(winner);
-}
-
-void GrowingNetwork::smoothNeighbours(VertexId winner)
-{
-    // Normals and sums are taken once for all passes. Then a pass only follows what the smoothed
-    // vertices do to each other's sums, each to those of the two next to it on the ring: normals
-    // hardly turn, and other neighbours among them (chords of the ring) are rare.
     const NeighbourRing &ring = mesh_.ring(winner);
-    const auto count = static_cast<std::size_t>(ring.size());
-    smoothed_.clear();
-    for (const VertexId v : ring)
-        smoothed_.push_back(neighbourhood(v));
-    for (int pass = 0; pass < parameters_.smoothingPasses; ++pass) {
-        for (Neighbourhood &v : smoothed_) {
-            const Point3 laplacian = v.sum * v.share - v.position;                   // equation 3
-            const Point3 tangential = laplacian - v.normal * (laplacian * v.normal); // equation 4
-            v.step = tangential * parameters_.smoothingRate;                         // equation 5
-            v.position += v.step;
-        }
-        for (std::size_t i = 0; i < count; ++i)
-            smoothed_[i].sum += smoothed_[i + 1 < count ? i + 1 : 0].step +
-                                smoothed_[i > 0 ? i - 1 : count - 1].step;
-    }
-    for (std::size_t i = 0; i < count; ++i)
-        moveVertex(ring[static_cast<int>(i)], smoothed_[i].position);
-}
-
-GrowingNetwork::Neighbourhood GrowingNetwork::neighbourhood(VertexId v) const
-{
-    const NeighbourRing &ring = mesh_.ring(v);
-    const Point3 &centre = mesh_.position(v);
-    Point3 normal(0, 0, 0);
-    Point3 sum(0, 0, 0); // relative to the centre
-    Point3 previous = mesh_.position(ring[ring.size() - 1]) - centre;
-    for (const VertexId u : ring) {
-        const Point3 edge = mesh_.position(u) - centre;
-        normal += previous ^ edge;
-        sum += edge;
-        previous = edge;
-    }
-    const auto valence = static_cast<Scalar>(ring.size());
-    return {centre, sum + centre * valence, normal.Normalize(), {0, 0, 0}, 1 / valence};
-}
-
-Point3 GrowingNetwork::normal(VertexId v) const
-{
-    return neighbourhood(v).normal;
+    const auto &smoothed = smoothing_.smooth(mesh_, winner);
+    for (int i = 0; i < ring.size(); ++i)
+        moveVertex(ring[i], smoothed[static_cast<std::size_t>(i)].position);
 }
 
 void GrowingNetwork::countSignal(VertexId winner, const Point3 &sample)
@@ -230,7 +187,7 @@ double GrowingNetwork::activity(VertexId winner, const Point3 &sample)
     if (!rules_.signalsCountByDistance)
         return 1;
     const double count =
-        activity_.count(std::sqrt(projectOnStar(mesh_, winner, sample).squaredDistance));
+        activity_.count(residualFromSurface(mesh_, projectOnStar(mesh_, winner, sample)).Norm());
     return vertexCount() < countByDistanceFrom * parameters_.targetVertexCount ? 1 : count;
 }
 
@@ -281,7 +238,8 @@ void GrowingNetwork::shareCounter(VertexId v, VertexId w)
 Scalar GrowingNetwork::voronoiArea(VertexId v) const
 {
     const Scalar averageEdge = meanEdge(mesh_, v);
-    return averageEdge * averageEdge;
+    const Scalar area = averageEdge * averageEdge;
+    return mesh_.isOnBoundary(v) ? area / 2 : area;
 }
 
 std::uint64_t GrowingNetwork::inactivityWindow() const
@@ -318,7 +276,8 @@ void GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const Sampl
     for (const VertexId v : vertices)
         if (const VertexId into = bestCollapse(mesh_, v); into != noVertex)
             neuralmesh::collapse(mesh_, v, into);
-    if (!isOpen_) {
+    fillNotches(mesh_);
+    if (!isOpen_ && isClosed(mesh_)) {
         retractWebs(mesh_, support);
         if (rules_.websAreTakenOut && vertexCount() >= webVertices) {
             removeWebs(support);

@@ -9,6 +9,7 @@
 #include "core/mesh/self_intersections.h"
 #include "core/mesh/vertex_data.h"
 #include "core/network/learning_rules.h"
+#include "core/network/neighbour_smoothing.h"
 #include "core/network/signal_activity.h"
 #include "core/network/signal_counters.h"
 #include "core/network/star_projection.h"
@@ -55,10 +56,6 @@ public:
     /// The same to the last place: also looks at the stars of the winner's neighbours, which seldom
     /// hold a nearer face than its own. For measuring.
     StarProjection projectExactly(VertexId winner, const Point3 &sample) const;
-
-    /// Unit normal of a vertex, outwards: the sum of its faces' normals, weighted by area. Zero
-    /// where the star has no area.
-    Point3 normal(VertexId v) const;
 
     /// Moves a vertex to another place.
     void moveVertex(VertexId v, const Point3 &position);
@@ -108,19 +105,8 @@ public:
     bool isOpenSurface() const { return isOpen_; }
 
 private:
-    /// What smoothing needs of a vertex.
-    struct Neighbourhood {
-        Point3 position;
-        Point3 sum; ///< of the neighbours' positions
-        Point3 normal;
-        Point3 step;  ///< of the last pass
-        Scalar share; ///< of one neighbour in the mean: 1 / valence
-    };
-
     VertexId splitOff(VertexId v);
     VertexId splitStar(const StarSplit &star, const Point3 &position);
-    void smoothNeighbours(VertexId winner);
-    Neighbourhood neighbourhood(VertexId v) const;
     void shareCounter(VertexId v, VertexId w);
     double activity(VertexId winner, const Point3 &sample);
     Scalar voronoiArea(VertexId v) const;
@@ -137,10 +123,10 @@ private:
     LearningRules rules_;
     NeuralMesh &mesh_;
     VertexGrid grid_;
+    NeighbourSmoothing smoothing_;
     SignalCounters counters_;
     SignalActivity activity_;
-    VertexData<std::uint64_t> lastWin_;   ///< signals_ when the vertex last won or was made
-    std::vector<Neighbourhood> smoothed_; ///< scratch of smoothNeighbours()
+    VertexData<std::uint64_t> lastWin_; ///< signals_ when the vertex last won or was made
     double decayPerSignal_ = 1;
     std::uint64_t signals_ = 0;
     std::uint64_t lastCollapse_ = 0;

@@ -46,17 +46,29 @@ bool collapseKeepsSurface(const NeuralMesh &mesh, VertexId v, VertexId u)
     return sliverAfter <= std::max(sliverBefore, goodAngleCosine);
 }
 
+/// Sum of squared excess valences after the collapse of v into u: of u, which gets all neighbours
+/// but two, itself and v, and of the opposite vertices, which lose v.
+int spreadAfterCollapse(const NeuralMesh &mesh, VertexId v, VertexId u)
+{
+    const OppositeVertices opposite = oppositeVertices(mesh, v, u);
+    int valence = mesh.valence(v) + mesh.valence(u) - 2;
+    int spread = 0;
+    for (const VertexId x : {opposite.left, opposite.right})
+        if (x != noVertex) {
+            --valence; // a neighbour of both
+            spread += squared(valenceExcess(mesh, x) - 1);
+        }
+    return spread + squared(valence - idealValence(mesh.isOnBoundary(v) || mesh.isOnBoundary(u)));
+}
+
 template <class MayCollapse>
 VertexId leastRegularityError(const NeuralMesh &mesh, VertexId v, MayCollapse mayCollapse)
 {
     VertexId best = noVertex;
     int least = std::numeric_limits<int>::max();
     for (const VertexId u : mesh.ring(v)) {
-        const OppositeVertices opposite = oppositeVertices(mesh, v, u);
         // Equation 9 without its root and factor, which keep the order.
-        const int error = squared(mesh.valence(v) + mesh.valence(u) - 10) +
-                          squared(mesh.valence(opposite.left) - 7) +
-                          squared(mesh.valence(opposite.right) - 7);
+        const int error = spreadAfterCollapse(mesh, v, u);
         if (error < least && canCollapse(mesh, v, u) && mayCollapse(u)) {
             least = error;
             best = u;
@@ -65,15 +77,14 @@ VertexId leastRegularityError(const NeuralMesh &mesh, VertexId v, MayCollapse ma
     return best;
 }
 
-/// By how much the collapse of v into u lowers the sum of (valence - 6)².
+/// By how much the collapse of v into u lowers the sum of squared excess valences.
 int gainOfCollapse(const NeuralMesh &mesh, VertexId v, VertexId u)
 {
-    int gain = valenceSpread(mesh.valence(v)) + valenceSpread(mesh.valence(u)) -
-               valenceSpread(mesh.valence(v) + mesh.valence(u) - 4);
     const OppositeVertices opposite = oppositeVertices(mesh, v, u);
+    int before = squared(valenceExcess(mesh, v)) + squared(valenceExcess(mesh, u));
     for (const VertexId x : {opposite.left, opposite.right})
-        gain += valenceSpread(mesh.valence(x)) - valenceSpread(mesh.valence(x) - 1);
-    return gain;
+        before += x == noVertex ? 0 : squared(valenceExcess(mesh, x));
+    return before - spreadAfterCollapse(mesh, v, u);
 }
 
 } // namespace
@@ -82,7 +93,7 @@ std::vector<VertexId> mostRegularCollapses(const NeuralMesh &mesh)
 {
     std::vector<std::pair<int, VertexId>> found; // the gain, negative: the most comes first
     forEachVertex(mesh, [&](VertexId v) {
-        if (mesh.valence(v) != idealValence - 1)
+        if (mesh.isOnBoundary(v) || valenceExcess(mesh, v) != -1)
             return;
         const VertexId into = bestCollapse(mesh, v);
         if (into == noVertex)

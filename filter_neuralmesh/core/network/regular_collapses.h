@@ -17,7 +17,8 @@ VertexId bestCollapse(const NeuralMesh &mesh, VertexId v);
 /// below the smallest around v or 20 degrees.
 VertexId bestCollapseOnSurface(const NeuralMesh &mesh, VertexId v);
 
-/// Vertices of valence 5 whose collapse lowers the sum of (valence - 6)², most first: where two of
+/// Vertices of valence 5 whose collapse lowers the sum of squared excess
+/// valences, most first: where two of
 /// them are neighbours between two of valence 7, all four become 6.
 std::vector<VertexId> mostRegularCollapses(const NeuralMesh &mesh);
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/mesh/boundary.h"
+
 namespace neuralmesh {
 namespace {
 
@@ -65,9 +67,12 @@ StarProjection projectOnStar(const NeuralMesh &mesh, VertexId v, const Point3 &q
     const Point3 target = query - centre;
     StarProjection best{};
     best.squaredDistance = std::numeric_limits<Scalar>::infinity();
-    VertexId a = ring[ring.size() - 1];
+    // Round a closed ring, the first face is that between the last neighbour and the first.
+    VertexId a = ring[ring.isOpen() ? 0 : ring.size() - 1];
     Point3 toA = mesh.position(a) - centre;
-    for (const VertexId b : ring) {
+    for (const VertexId *next = ring.begin() + (ring.isOpen() ? 1 : 0); next != ring.end();
+         ++next) {
+        const VertexId b = *next;
         const Point3 toB = mesh.position(b) - centre;
         const Barycentric w = nearestOnTriangle(toA, toB, target);
         const Point3 residual = target - toA * w.b - toB * w.c;
@@ -78,6 +83,33 @@ StarProjection projectOnStar(const NeuralMesh &mesh, VertexId v, const Point3 &q
         toA = toB;
     }
     return best;
+}
+
+bool liesOnBoundary(const NeuralMesh &mesh, const StarProjection &p)
+{
+    VertexId ends[2];
+    int count = 0;
+    for (int corner = 0; corner < 3; ++corner)
+        if (p.weights[corner] > 0) {
+            if (count == 2 || !mesh.isOnBoundary(p.corners[corner]))
+                return false;
+            ends[count++] = p.corners[corner];
+        }
+    return count == 1 || isBoundaryEdge(mesh, ends[0], ends[1]);
+}
+
+Point3 residualFromSurface(const NeuralMesh &mesh, const StarProjection &p)
+{
+    if (!liesOnBoundary(mesh, p))
+        return p.residual;
+    const Point3 normal = unitNormal(
+        {mesh.position(p.corners[0]), mesh.position(p.corners[1]), mesh.position(p.corners[2])});
+    return normal * (p.residual * normal);
+}
+
+VertexId nearestCorner(const StarProjection &p)
+{
+    return p.corners[std::max_element(p.weights, p.weights + 3) - p.weights];
 }
 
 Scalar squaredDistanceTo(const Triangle &t, const Point3 &query)

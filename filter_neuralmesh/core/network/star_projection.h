@@ -17,6 +17,16 @@ struct StarProjection {
 /// Looks at every face in the star of v. Ericson, Real-Time Collision Detection (2005), §5.1.5.
 StarProjection projectOnStar(const NeuralMesh &mesh, VertexId v, const Point3 &query);
 
+/// Whether the point lies on a boundary, as that of a query beyond the surface's edge does.
+bool liesOnBoundary(const NeuralMesh &mesh, const StarProjection &p);
+
+/// The residual, of which only what is normal to the face where the point lies on a boundary: how
+/// far the query is beyond the surface's edge is no distance from the surface.
+Point3 residualFromSurface(const NeuralMesh &mesh, const StarProjection &p);
+
+/// The corner with the greatest weight.
+VertexId nearestCorner(const StarProjection &p);
+
 /// Squared distance of the query to the nearest point of a triangle.
 Scalar squaredDistanceTo(const Triangle &triangle, const Point3 &query);
 

@@ -6,24 +6,66 @@
 #include <limits>
 #include <utility>
 
+#include "core/mesh/ring_topology.h"
 #include "core/network/valences.h"
 #include "core/topology/unsupported_edges.h"
 
 namespace neuralmesh {
 namespace {
 
-/// By how much the split lowers the sum of (valence - 6)².
-int gainOfSplit(const NeuralMesh &mesh, const StarSplit &s)
+/// Sum of squared excess valences of the vertices that a split touches, after it.
+int spreadAfterSplit(const NeuralMesh &mesh, const StarSplit &s)
 {
     const NeighbourRing &ring = mesh.ring(s.vertex);
-    const int span = (s.last - s.first + ring.size()) % ring.size();
-    int gain = valenceSpread(ring.size()) - valenceSpread(span + 2) -
-               valenceSpread(ring.size() - span + 2);
-    for (const int end : {s.first, s.last}) {
-        const int valence = mesh.valence(ring[end]);
-        gain += valenceSpread(valence) - valenceSpread(valence + 1);
+    const int size = ring.size();
+    const bool isAlongBoundary = s.first == gapPlace || s.last == gapPlace;
+    const int first = s.first == gapPlace ? 0 : s.first;
+    const int last = s.last == gapPlace ? size - 1 : s.last;
+    const int span = (last - first + size) % size;
+    int spread = squared(span + 2 - idealValence(isAlongBoundary)) +
+                 squared(size - span + (isAlongBoundary ? 1 : 2) - idealValence(ring.isOpen()));
+    for (const int end : {s.first, s.last})
+        if (end != gapPlace)
+            spread += squared(valenceExcess(mesh, ring[end]) + 1);
+    return spread;
+}
+
+/// By how much the split lowers the sum of squared excess valences.
+int gainOfSplit(const NeuralMesh &mesh, const StarSplit &s)
+{
+    int before = squared(valenceExcess(mesh, s.vertex));
+    for (const int end : {s.first, s.last})
+        before += squared(valenceExcess(mesh, mesh.ring(s.vertex)[end]));
+    return before - spreadAfterSplit(mesh, s);
+}
+
+/// Takes a split if it leaves less spread than the best so far or is, at the same spread, more
+/// even.
+class EvenestSplit {
+public:
+    explicit EvenestSplit(const NeuralMesh &mesh) : mesh_(mesh) {}
+
+    void consider(const StarSplit &split, int unevenness)
+    {
+        const std::pair<int, int> cost{spreadAfterSplit(mesh_, split), unevenness};
+        if (cost < least_) {
+            least_ = cost;
+            best_ = split;
+        }
     }
-    return gain;
+    const StarSplit &best() const { return best_; }
+
+private:
+    const NeuralMesh &mesh_;
+    std::pair<int, int> least_{std::numeric_limits<int>::max(), 0};
+    StarSplit best_;
+};
+
+/// Splits a boundary edge, the first or the last of v's ring, off so many of v's neighbours.
+StarSplit splitAlongBoundary(const NeuralMesh &mesh, VertexId v, int edge, int neighbours)
+{
+    return edge == 0 ? StarSplit{v, gapPlace, neighbours - 1}
+                     : StarSplit{v, mesh.valence(v) - neighbours, gapPlace};
 }
 
 } // namespace
@@ -45,34 +87,36 @@ int longestEdge(const NeuralMesh &mesh, VertexId v)
 
 StarSplit halvingSplit(const NeuralMesh &mesh, VertexId v, int edge)
 {
-    const int valence = mesh.valence(v);
+    const NeighbourRing &ring = mesh.ring(v);
+    const int valence = ring.size();
     const int span = std::max(2, valence / 2);
+    if (ring.isBoundaryEdge(edge))
+        return splitAlongBoundary(mesh, v, edge, span);
     const int before = span / 2;
-    return {v, (edge - before + valence) % valence, (edge + span - before) % valence};
+    const int after = span - before;
+    if (ring.isOpen())
+        return {v, std::max(0, edge - before), std::min(valence - 1, edge + after)};
+    return {v, (edge - before + valence) % valence, (edge + after) % valence};
 }
 
 StarSplit balancedSplit(const NeuralMesh &mesh, VertexId v, int edge)
 {
     const NeighbourRing &ring = mesh.ring(v);
     const int valence = ring.size();
-    StarSplit best;
-    std::pair<int, int> least{std::numeric_limits<int>::max(), 0};
-    for (int before = 1; before + 1 < valence; ++before)
-        for (int after = 1; before + after < valence; ++after) {
-            const int span = before + after;
-            const int first = (edge - before + valence) % valence;
-            const int last = (edge + after) % valence;
-            const int spread = squared(span + 2 - idealValence) +
-                               squared(valence - span + 2 - idealValence) +
-                               squared(mesh.valence(ring[first]) + 1 - idealValence) +
-                               squared(mesh.valence(ring[last]) + 1 - idealValence);
-            const std::pair<int, int> cost{spread, std::abs(before - after)};
-            if (cost < least) {
-                least = cost;
-                best = {v, first, last};
-            }
-        }
-    return best;
+    EvenestSplit evenest(mesh);
+    if (ring.isBoundaryEdge(edge)) {
+        for (int neighbours = 2; neighbours <= valence; ++neighbours)
+            evenest.consider(splitAlongBoundary(mesh, v, edge, neighbours),
+                             std::abs(2 * neighbours - valence));
+        return evenest.best();
+    }
+    const int mostBefore = ring.isOpen() ? edge : valence - 1;
+    const int mostAfter = ring.isOpen() ? valence - 1 - edge : valence - 1;
+    for (int before = 1; before <= mostBefore; ++before)
+        for (int after = 1; after <= mostAfter && before + after < valence; ++after)
+            evenest.consider({v, (edge - before + valence) % valence, (edge + after) % valence},
+                             std::abs(before - after));
+    return evenest.best();
 }
 
 StarSplit bestRaisingSplit(const NeuralMesh &mesh, VertexId v)
@@ -82,14 +126,21 @@ StarSplit bestRaisingSplit(const NeuralMesh &mesh, VertexId v)
     for (const VertexId u : mesh.ring(v)) {
         const int valence = mesh.valence(u);
         const int place = mesh.ring(u).find(v);
-        // A new vertex and an old one of valence 4 at the least.
-        for (int span = 2; span + 2 <= valence; ++span)
-            for (const StarSplit &split : {StarSplit{u, place, (place + span) % valence},
-                                           StarSplit{u, (place + valence - span) % valence, place}})
-                if (const int gain = gainOfSplit(mesh, split); gain > most) {
-                    most = gain;
-                    best = split;
-                }
+        const bool isOpen = mesh.isOnBoundary(u);
+        const auto consider = [&](const StarSplit &split) {
+            const int gain = gainOfSplit(mesh, split);
+            if (gain > most) {
+                most = gain;
+                best = split;
+            }
+        };
+        // A new vertex and an old one of valence 4 at the least; on a boundary, short of the gap.
+        for (int span = 2; span + 2 <= valence; ++span) {
+            if (!isOpen || place + span < valence)
+                consider({u, place, (place + span) % valence});
+            if (!isOpen || place >= span)
+                consider({u, (place + valence - span) % valence, place});
+        }
     }
     return best;
 }

@@ -14,7 +14,7 @@ struct ErrorFigures {
 };
 
 /// Draws `samplesPerVertex` samples for each vertex and takes their distances from the nearest
-/// face, as the fit does.
+/// face, found as in the fit, and where that may miss it, around the nearest vertex's neighbours.
 ErrorFigures measureError(const GrowingNetwork &network, const Sampler &sampler, Random &random,
                           std::size_t samplesPerVertex);
 

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/mesh/boundary.h"
+#include "core/mesh/enumeration.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_topology.h"
 #include "neuralmesh/errors.h"
@@ -132,6 +134,54 @@ TEST(ManifoldMesh, refuses_open_surfaces)
     EXPECT_EQ(refusal(corners, {tetrahedron.begin(), tetrahedron.end() - 1}),
               "The starting mesh is not closed: 3 edges belong to one face only. Close its holes, "
               "or merge its close vertices.");
+}
+
+TEST(ManifoldMesh, takes_open_surfaces_where_boundaries_are_allowed)
+{
+    Points points;
+    Faces faces;
+    append(points, faces, {0, 0, 0}); // a closed component beside
+    const VertexId first = 4;
+    for (VertexId j = 0; j <= 2; ++j)
+        for (VertexId i = 0; i <= 2; ++i)
+            points.emplace_back(i, j, 9);
+    for (VertexId j = 0; j < 2; ++j)
+        for (VertexId i = 0; i < 2; ++i) {
+            const VertexId here = first + 3 * j + i;
+            // Downwards, against what a volume would say.
+            faces.push_back({{here, here + 4, here + 1}});
+            faces.push_back({{here, here + 3, here + 4}});
+        }
+    NeuralMesh mesh;
+    makeManifold(mesh, points, faces, Boundaries::allowed);
+    validate(mesh);
+    const TopologyFigures topology = measureTopology(mesh);
+    EXPECT_EQ(topology.components, 2);
+    EXPECT_EQ(topology.boundaryLoops, 1);
+    EXPECT_EQ(topology.genus, 0);
+    EXPECT_EQ(topology.faces, 12);
+    forEachFace(mesh, [&](VertexId a, VertexId b, VertexId c) {
+        const Point3 normal =
+            (mesh.position(b) - mesh.position(a)) ^ (mesh.position(c) - mesh.position(a));
+        EXPECT_TRUE(mesh.position(a).Z() < 8 || normal.Z() < 0);
+    });
+}
+
+TEST(ManifoldMesh, turns_the_faces_of_an_open_surface_like_the_first)
+{
+    const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    NeuralMesh mesh;
+    makeManifold(mesh, points, {{{0, 2, 1}}, {{1, 3, 2}}}, Boundaries::allowed); // down and up
+    validate(mesh);
+    EXPECT_EQ(boundaryLoops(mesh).front(), (std::vector<VertexId>{0, 1, 3, 2})); // as it was given
+}
+
+TEST(ManifoldMesh, refuses_two_open_fans_at_one_vertex)
+{
+    const Points points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
+    NeuralMesh mesh;
+    EXPECT_THROW(makeManifold(mesh, points, {{{0, 1, 2}}, {{0, 3, 4}}}, Boundaries::allowed),
+                 InvalidStartingMesh);
 }
 
 TEST(ManifoldMesh, refuses_what_is_no_two_manifold)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/boundary.h"
 #include "core/mesh/mesh_checks.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,44 @@
 
 namespace neuralmesh {
 namespace {
+
+TEST(MeshChecks, count_open_meshes)
+{
+    NeuralMesh mesh;
+    test::makeSquare(mesh, 3);
+    EXPECT_EQ(measureTopology(mesh).vertices, 16);
+    EXPECT_EQ(measureTopology(mesh).edges, 33);
+    EXPECT_EQ(measureTopology(mesh).faces, 18);
+    EXPECT_EQ(measureTopology(mesh).boundaryLoops, 1);
+    EXPECT_EQ(measureTopology(mesh).genus, 0);
+    test::makeTube(mesh, 5, 3);
+    EXPECT_EQ(measureTopology(mesh).boundaryLoops, 2);
+    EXPECT_EQ(measureTopology(mesh).genus, 0);
+    EXPECT_EQ(measureTopology(mesh).components, 1);
+}
+
+TEST(MeshChecks, walk_a_boundary_with_the_surface_to_the_left)
+{
+    NeuralMesh mesh;
+    test::makeSquare(mesh, 2);
+    EXPECT_EQ(boundaryLoops(mesh), (std::vector<std::vector<VertexId>>{{0, 1, 2, 5, 8, 7, 6, 3}}));
+    EXPECT_FALSE(isClosed(mesh));
+    test::makeTorus(mesh, 4, 4);
+    EXPECT_TRUE(boundaryLoops(mesh).empty());
+    EXPECT_TRUE(isClosed(mesh));
+}
+
+TEST(MeshChecks, find_a_boundary_on_which_two_vertices_do_not_agree)
+{
+    NeuralMesh mesh;
+    test::makeSquare(mesh, 2);
+    ASSERT_EQ(findDefect(mesh), "");
+    mesh.ring(1).rotate(1); // the gap is elsewhere now
+    EXPECT_NE(findDefect(mesh), "");
+    test::makeSquare(mesh, 2);
+    mesh.ring(1).setOpen(false);
+    EXPECT_NE(findDefect(mesh), "");
+}
 
 TEST(MeshChecks, count_a_torus)
 {

@@ -63,6 +63,54 @@ TEST(GrowingNetwork, smoothing_moves_the_neighbours_within_their_tangent_planes)
     EXPECT_EQ(mesh.position(1), Point3(-1, 0, 0)); // no neighbour of the winner
 }
 
+TEST(GrowingNetwork, smoothing_moves_a_boundary_along_itself_only)
+{
+    NeuralMesh mesh;
+    test::makeSquare(mesh, 4);
+    mesh.position(1).X() = 1.3; // not in the middle of its neighbours on the lower side
+    mesh.position(6) = {1.2, 0.7, 0};
+    Box3 bounds = boundsOf(mesh);
+    GrowingNetwork network(mesh, bounds, GrowthParameters{});
+    // The winner is where its sample is: only the smoothing moves. The umbrella of a vertex on the
+    // boundary points inwards.
+    network.adapt(6, mesh.position(6));
+    EXPECT_LT(mesh.position(1).X(), 1.29);
+    EXPECT_EQ(mesh.position(1).Y(), 0);
+    EXPECT_EQ(mesh.position(5).X(), 0);
+}
+
+TEST(GrowingNetwork, a_sample_beyond_the_boundary_is_won_by_the_boundary)
+{
+    // A triangle: 0 and 1 are the ends of its long lower edge, 2 is close above that edge's middle.
+    NeuralMesh mesh;
+    test::makeMesh(mesh, {{-2, 0, 0}, {2, 0, 0}, {0, 0.2, 0}, {0, 3, 0}},
+                   {{{0, 1, 2}}, {{1, 3, 2}}, {{3, 0, 2}}});
+    const Point3 sample(0.3, -0.3, 0);
+    GrowthParameters parameters;
+    const GrowingNetwork network(mesh, boundsOf(mesh), parameters);
+    ASSERT_EQ(network.nearestVertex(sample), 2U);
+    EXPECT_EQ(network.findWinner(sample), 1U);
+    EXPECT_EQ(network.findWinner({0.3, 0.1, 0}), 2U); // within the surface
+    parameters.splitRule = SplitRule::paper;
+    NeuralMesh same;
+    same.copyNetwork(mesh);
+    EXPECT_EQ(GrowingNetwork(same, boundsOf(mesh), parameters).findWinner(sample), 2U);
+}
+
+TEST(GrowingNetwork, webs_are_looked_for_in_closed_meshes_only)
+{
+    // Far from all samples, but open.
+    NeuralMesh mesh;
+    test::makeSquare(mesh, 35);
+    ASSERT_GT(mesh.vn, 1000);
+    const std::vector<Point3> samples{{0, 0, 0}, {35, 35, 0}};
+    GrowingNetwork network(mesh, boundsOf(mesh), GrowthParameters{});
+    network.collapse({100}, SampleSupport(boundsOf(mesh), samples));
+    validate(mesh);
+    EXPECT_EQ(network.vertexCount(), 36 * 36 - 1);
+    EXPECT_EQ(measureTopology(mesh).boundaryLoops, 1);
+}
+
 TEST(GrowingNetwork, the_most_active_vertex_is_split_at_the_middle_of_its_longest_edge)
 {
     NeuralMesh mesh;

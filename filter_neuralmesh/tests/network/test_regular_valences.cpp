@@ -2,7 +2,10 @@
 // Which collapses and splits even out valences, and the exchange that uses both.
 #include <gtest/gtest.h>
 
+#include "core/mesh/boundary.h"
+#include "core/mesh/enumeration.h"
 #include "core/mesh/mesh_checks.h"
+#include "core/mesh/ring_topology.h"
 #include "core/network/growing_network.h"
 #include "core/network/regular_collapses.h"
 #include "core/network/star_splits.h"
@@ -11,12 +14,14 @@
 namespace neuralmesh {
 namespace {
 
+/// Sum of squared differences from 6, on a boundary from 4.
 int spreadOf(const NeuralMesh &mesh)
 {
     int sum = 0;
-    for (VertexId v = 0; v < mesh.idBound(); ++v)
-        if (mesh.isLive(v))
-            sum += (mesh.valence(v) - 6) * (mesh.valence(v) - 6);
+    forEachVertex(mesh, [&](VertexId v) {
+        const int excess = mesh.valence(v) - (mesh.isOnBoundary(v) ? 4 : 6);
+        sum += excess * excess;
+    });
     return sum;
 }
 
@@ -50,6 +55,79 @@ TEST(RegularCollapses, the_tip_of_a_limb_stays)
     mesh.position(v) += Point3(1, 0, 0) * 0.5; // far out of its face
     EXPECT_EQ(bestCollapseOnSurface(mesh, v), noVertex);
     EXPECT_NE(bestCollapse(mesh, v), noVertex) << "its connectivity alone would let it go";
+}
+
+TEST(StarSplits, a_boundary_edge_is_split_on_the_boundary_and_another_inside)
+{
+    NeuralMesh square;
+    test::makeSquare(square, 4);
+    forEachVertex(square, [&](VertexId v) {
+        for (int edge = 0; edge < square.valence(v); ++edge)
+            for (const StarSplit &star :
+                 {halvingSplit(square, v, edge), balancedSplit(square, v, edge)}) {
+                NeuralMesh mesh;
+                mesh.copyNetwork(square);
+                const VertexId other = mesh.ring(v)[edge];
+                const bool isBoundary = isBoundaryEdge(mesh, v, other);
+                const VertexId w = mesh.addVertex({0, 0, 0});
+                split(mesh, star.vertex, star.first, star.last, w);
+                ASSERT_EQ(findDefect(mesh), "") << v << " " << edge;
+                EXPECT_EQ(mesh.isOnBoundary(w), isBoundary);
+                EXPECT_TRUE(mesh.ring(w).contains(other));
+                // The edge that is split is gone, between its ends there is w.
+                EXPECT_FALSE(mesh.ring(v).contains(other));
+            }
+    });
+}
+
+TEST(StarSplits, the_balanced_split_leaves_least_spread_of_all)
+{
+    NeuralMesh square;
+    test::makeSquare(square, 4);
+    forEachVertex(square, [&](VertexId v) {
+        for (int edge = 0; edge < square.valence(v); ++edge) {
+            const auto spreadAfter = [&](const StarSplit &star) {
+                NeuralMesh mesh;
+                mesh.copyNetwork(square);
+                split(mesh, v, star.first, star.last, mesh.addVertex({0, 0, 0}));
+                return spreadOf(mesh);
+            };
+            const int found = spreadAfter(balancedSplit(square, v, edge));
+            EXPECT_LE(found, spreadAfter(halvingSplit(square, v, edge))) << v << " " << edge;
+            const NeighbourRing &ring = square.ring(v);
+            if (!ring.isOpen() || ring.isBoundaryEdge(edge))
+                continue;
+            for (int first = 0; first < edge; ++first)
+                for (int last = edge + 1; last < ring.size(); ++last)
+                    EXPECT_LE(found, spreadAfter({v, first, last})) << v << " " << edge;
+        }
+    });
+}
+
+TEST(RegularCollapses, the_best_leaves_least_spread_of_all_on_a_boundary_too)
+{
+    NeuralMesh square;
+    test::makeSquare(square, 4);
+    for (const VertexId v : {VertexId(2), VertexId(6), VertexId(12), VertexId(24)}) {
+        const VertexId best = bestCollapse(square, v);
+        ASSERT_NE(best, noVertex) << v;
+        const auto spreadAfter = [&](VertexId u) {
+            NeuralMesh mesh;
+            mesh.copyNetwork(square);
+            const OppositeVertices opposite = oppositeVertices(mesh, v, u);
+            collapse(mesh, v, u);
+            int sum = 0;
+            for (const VertexId x : {u, opposite.left, opposite.right})
+                if (x != noVertex) {
+                    const int excess = mesh.valence(x) - (mesh.isOnBoundary(x) ? 4 : 6);
+                    sum += excess * excess;
+                }
+            return sum;
+        };
+        for (const VertexId u : square.ring(v))
+            EXPECT_TRUE(!canCollapse(square, v, u) || spreadAfter(best) <= spreadAfter(u))
+                << v << " into " << u;
+    }
 }
 
 TEST(RegularCollapses, a_regular_mesh_has_none_that_gain)

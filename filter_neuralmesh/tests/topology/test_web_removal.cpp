@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/mesh_checks.h"
+#include "core/mesh/ring_surgery.h"
 #include "core/mesh/ring_topology.h"
 #include "core/topology/unsupported_patches.h"
 #include "tests/meshes_for_tests.h"
