@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/fit/surface_fit.h"
+#include "core/mesh/boundary.h"
 #include "core/mesh/enumeration.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_topology.h"
@@ -56,10 +57,10 @@ constexpr double leastGain = 0.05;
 /// constants, n·μ·5/λ = n splits).
 constexpr int stagnationPeriods = 5;
 
-/// Its outside outwards, with faces.
+/// Its outside outwards, with faces. An open mesh has no outside: it keeps its orientation.
 void finishMesh(NeuralMesh &mesh)
 {
-    if (signedVolume(mesh) < 0)
+    if (isClosed(mesh) && signedVolume(mesh) < 0)
         reverseOrientation(mesh);
     rebuildFaces(mesh);
 }

@@ -19,6 +19,7 @@ Report reportOf(const NeuralMesh &network, const GrowthReport &growth, double un
     report.vertices = topology.vertices;
     report.faces = topology.faces;
     report.components = topology.components;
+    report.boundaryLoops = topology.boundaryLoops;
     report.genus = topology.genus;
     report.valenceHistogram = valenceHistogram(network);
     report.signalCount = growth.signalCount;

@@ -56,7 +56,7 @@ std::map<std::string, QVariant> resultValues(const Reconstruction &reconstructio
             {"faces", report.faces},
             {"genus", report.genus},
             {"components", report.components},
-            {"boundary_loops", 0}, // closed by construction: rings have no ends
+            {"boundary_loops", report.boundaryLoops},
             {"splits", static_cast<int>(report.splitCount)},
             {"collapses", static_cast<int>(report.collapseCount)},
             {"self_intersections", report.selfIntersections},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fit/intersection_repair.h"
 
+#include "core/mesh/boundary.h"
+
 namespace neuralmesh {
 namespace {
 
@@ -50,10 +52,20 @@ private:
 
     void smooth(VertexId v)
     {
+        network_.moveVertex(v, (mesh_.position(v) + middleOfNeighbours(v)) / 2);
+    }
+
+    /// On a boundary, of those along it.
+    Point3 middleOfNeighbours(VertexId v) const
+    {
+        if (mesh_.isOnBoundary(v))
+            return (mesh_.position(nextOnBoundary(mesh_, v)) +
+                    mesh_.position(previousOnBoundary(mesh_, v))) /
+                   2;
         Point3 sum(0, 0, 0);
         for (const VertexId u : mesh_.ring(v))
             sum += mesh_.position(u);
-        network_.moveVertex(v, (mesh_.position(v) + sum / mesh_.valence(v)) / 2);
+        return sum / mesh_.valence(v);
     }
 
     GrowingNetwork &network_;

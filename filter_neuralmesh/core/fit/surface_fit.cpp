@@ -6,7 +6,9 @@
 #include <limits>
 #include <vector>
 
+#include "core/fit/boundary_reach.h"
 #include "core/fit/intersection_repair.h"
+#include "core/mesh/boundary.h"
 #include "core/mesh/edge_lengths.h"
 #include "core/mesh/enumeration.h"
 #include "core/mesh/star_normal.h"
@@ -52,6 +54,8 @@ constexpr double mostBendingInNoise = 5;
 /// Sweeps after which irregular vertices are exchanged.
 constexpr int firstExchange = 1;
 constexpr int lastExchange = 7;
+/// Residuals up to this, in the unit frame, have no direction.
+constexpr Scalar rounding = 1e-12;
 /// Longest move of a sweep, in lengths of the vertex's shortest edge.
 constexpr Scalar longestMove = 0.3;
 /// Cosine between a face's normals before and after a sweep, at the least.
@@ -69,12 +73,13 @@ struct Accumulator {
     double weight = 0;                                ///< Σ w
     double residual = 0;                              ///< Σ w |ρ|
     double squaredResidual = 0;                       ///< Σ w ρ², of trusted samples
+    double onSurface = 0;                             ///< Σ w of samples without a residual
 };
 
 /// What the neighbours say of one vertex.
 struct Surroundings {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    /// From the vertex to the mean of its neighbours.
+    /// From the vertex to the mean of its neighbours, on a boundary of those along it.
     Eigen::Vector3d toCentre = Eigen::Vector3d::Zero();
     double meanEdge = 0;
     double sliver = 0;          ///< cosine of the smallest angle of its faces
@@ -86,8 +91,8 @@ class SurfaceFit {
 public:
     SurfaceFit(GrowingNetwork &network, const Sampler &sampler, Random &random)
         : network_(network), mesh_(network.mesh()), sampler_(sampler), random_(random),
-          order_(sampler.bounds()), accumulators_(mesh_), around_(mesh_), start_(mesh_),
-          typicalResidual_(mesh_, 0)
+          order_(sampler.bounds()), accumulators_(mesh_), reach_(mesh_), around_(mesh_),
+          start_(mesh_), typicalResidual_(mesh_, 0)
     {
         forEachVertex(mesh_, [&](VertexId v) { start_[v] = mesh_.position(v); });
     }
@@ -120,6 +125,7 @@ private:
     void gather()
     {
         accumulators_.reset();
+        reach_.fade();
         sampler_.draw(random_, static_cast<std::size_t>(samplesPerVertex * network_.vertexCount()),
                       drawn_);
         order_.sort(drawn_, samples_);
@@ -132,13 +138,19 @@ private:
 
     void add(const StarProjection &p)
     {
-        const Scalar distance = std::sqrt(p.squaredDistance);
-        if (distance <= 0)
+        reach_.add(p);
+        const Point3 residual = residualFromSurface(mesh_, p);
+        const Scalar squaredDistance = residual.SquaredNorm();
+        const Scalar distance = std::sqrt(squaredDistance);
+        if (distance <= rounding) {
+            for (int corner = 0; corner < 3; ++corner)
+                accumulators_[p.corners[corner]].onSurface += p.weights[corner];
             return;
-        const Point3 direction = p.residual / distance;
+        }
+        const Point3 direction = residual / distance;
         const Eigen::Vector3d n = toEigen(direction);
         const Scalar scale = outlyingRatio * typicalResidual_[p.corners[0]];
-        const Scalar trust = scale > 0 ? 1 / (1 + p.squaredDistance / (scale * scale)) : 1;
+        const Scalar trust = scale > 0 ? 1 / (1 + squaredDistance / (scale * scale)) : 1;
         for (int corner = 0; corner < 3; ++corner) {
             const Scalar w = p.weights[corner];
             Accumulator &a = accumulators_[p.corners[corner]];
@@ -146,7 +158,7 @@ private:
             a.pull += trust * w * distance * n;
             a.weight += w;
             a.residual += w * distance;
-            a.squaredResidual += trust * w * p.squaredDistance;
+            a.squaredResidual += trust * w * squaredDistance;
         }
     }
 
@@ -160,6 +172,7 @@ private:
         });
         forEachVertex(mesh_, [&](VertexId v) { network_.moveVertex(v, moved[v]); });
         takeBackTurns(before);
+        reach_.follow(before);
     }
 
     double noiseVariance(VertexId v) const
@@ -194,8 +207,13 @@ private:
         Surroundings s;
         s.normal = toEigen(starNormal(mesh_, v));
         s.meanEdge = meanEdge(mesh_, v);
-        for (const VertexId u : mesh_.ring(v))
-            s.toCentre += toEigen(mesh_.position(u) - centre) / mesh_.valence(v);
+        if (mesh_.isOnBoundary(v))
+            s.toCentre = (toEigen(mesh_.position(nextOnBoundary(mesh_, v)) - centre) +
+                          toEigen(mesh_.position(previousOnBoundary(mesh_, v)) - centre)) /
+                         2;
+        else
+            for (const VertexId u : mesh_.ring(v))
+                s.toCentre += toEigen(mesh_.position(u) - centre) / mesh_.valence(v);
         forEachFaceAround(mesh_, v, [&](VertexId a, VertexId b) {
             s.sliver = std::max(
                 s.sliver, cosineOfSmallestAngle({centre, mesh_.position(a), mesh_.position(b)}));
@@ -235,31 +253,55 @@ private:
         const Accumulator &a = accumulators_[v];
         const Surroundings &s = around_[v];
         const double trace = a.system.trace();
-        if (!(trace > 0))
+        if (!(trace > 0) && !(a.onSurface > 0))
             return {0, 0, 0};
-        const double noise = std::max(noiseVariance(v), 1e-8 * s.meanEdge * s.meanEdge);
-        const double precision = information_ / noise;
-        const double ownVariance = noise / (information_ * trace);
-        const double bendingVariance = std::max(
-            std::min(s.bendingVariance, mostBending_) - noise_ * noiseInBending * ownVariance,
-            (leastBending + noise_ * (leastBendingInNoise - leastBending)) * ownVariance);
         const double shape = std::clamp((sliverCosine - s.sliver) / (sliverCosine - goodCosine),
                                         leastTangentialShare, 1.0);
         const double tangentialVariance = squared(tangentialDeviation * shape * s.meanEdge);
-        // Moving a vertex of valence 6 changes its own height and a sixth of its neighbours'.
-        const double predicted = s.bending * 6 / 7;
-        const Eigen::Vector3d along = s.toCentre - s.normal * s.normal.dot(s.toCentre);
         const Eigen::Matrix3d projector = s.normal * s.normal.transpose();
-        const Eigen::Matrix3d system =
-            precision * a.system + projector / bendingVariance +
-            (Eigen::Matrix3d::Identity() - projector) / tangentialVariance;
-        const Eigen::Vector3d pull = precision * a.pull + s.normal * (predicted / bendingVariance) +
-                                     along / tangentialVariance;
+        Eigen::Matrix3d system = projector / tangentialVariance; // where all is flat, it stays so
+        Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+        if (trace > 0) {
+            const double noise = std::max(noiseVariance(v), 1e-8 * s.meanEdge * s.meanEdge);
+            const double precision = information_ / noise;
+            const double variance = bendingVariance(s, noise / (information_ * trace));
+            // Moving a vertex of valence 6 changes its own height and a sixth of its neighbours'.
+            const double predicted = s.bending * 6 / 7;
+            system = precision * a.system + projector / variance;
+            pull = precision * a.pull + s.normal * (predicted / variance);
+        }
+        if (mesh_.isOnBoundary(v)) {
+            const BoundaryReach::Pull reach = reach_.pull(v);
+            const Eigen::Vector3d tangent = boundaryTangent(v, s.normal);
+            system += tangent * tangent.transpose() / tangentialVariance + reach.system;
+            pull += tangent * (tangent.dot(s.toCentre) / tangentialVariance) + reach.pull;
+        } else {
+            const Eigen::Vector3d along = s.toCentre - s.normal * s.normal.dot(s.toCentre);
+            system += (Eigen::Matrix3d::Identity() - projector) / tangentialVariance;
+            pull += along / tangentialVariance;
+        }
         const Eigen::Vector3d d = system.ldlt().solve(pull);
         const Point3 displacement(d[0], d[1], d[2]);
         const Scalar length = displacement.Norm();
         const Scalar most = longestMove * shortestEdge(mesh_, v);
         return length > most ? displacement * (most / length) : displacement;
+    }
+
+    /// Of the height of a vertex over its neighbours, as it is expected from what is around it.
+    /// `ownVariance` is that which noise gives it.
+    double bendingVariance(const Surroundings &s, double ownVariance) const
+    {
+        return std::max(
+            std::min(s.bendingVariance, mostBending_) - noise_ * noiseInBending * ownVariance,
+            (leastBending + noise_ * (leastBendingInNoise - leastBending)) * ownVariance);
+    }
+
+    /// Unit, within the surface.
+    Eigen::Vector3d boundaryTangent(VertexId v, const Eigen::Vector3d &normal) const
+    {
+        const Eigen::Vector3d along = toEigen(mesh_.position(nextOnBoundary(mesh_, v)) -
+                                              mesh_.position(previousOnBoundary(mesh_, v)));
+        return (along - normal * normal.dot(along)).normalized();
     }
 
     /// Puts back the corners of every face that the sweep turned. Putting one back can turn a
@@ -305,6 +347,7 @@ private:
     std::vector<Point> drawn_;
     std::vector<Point3> samples_;
     VertexData<Accumulator> accumulators_;
+    BoundaryReach reach_;
     VertexData<Surroundings> around_;
     double information_ = 1;   ///< of all sweeps so far, in sweeps; no more than the points hold
     double noise_ = 0;         ///< see judgeNoise()

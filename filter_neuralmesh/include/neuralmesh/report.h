@@ -11,6 +11,7 @@ struct Report {
     int vertices = 0;
     int faces = 0;
     int components = 0;
+    int boundaryLoops = 0;
     /// Sum of the components' genera.
     int genus = 0;
     /// Entry k counts the vertices of valence k.
