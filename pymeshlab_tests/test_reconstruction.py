@@ -238,6 +238,8 @@ def test_no_parameter_is_missing_above(bunny_points: pymeshlab.MeshSet) -> None:
         "startmesh",
         "startlayer",
         "topology",
+        "boundaries",
+        "maxholesize",
         "pointfile",
         "transferattributes",
     }

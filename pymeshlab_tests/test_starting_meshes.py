@@ -225,3 +225,54 @@ def test_a_starting_layer_that_is_not_there_is_refused(mesh_set: pymeshlab.MeshS
         targetvertnum=100,
         startmesh=A_LAYER,
     )
+
+
+def half_sphere(count: int = 12000) -> Points:
+    """Return the points of a unit sphere above z = 0, about half of count of them."""
+    points = sphere_points(count)
+    upper: Points = points[points[:, 2] > 0]
+    return upper
+
+
+def tube(count: int = 8000) -> Points:
+    """Return points of an open tube of radius 1 and length 3, shape (count, 3)."""
+    angle, height = np.random.default_rng(1).uniform(0, 1, (2, count))
+    angle *= 2 * np.pi
+    return np.column_stack([np.cos(angle), np.sin(angle), 3 * height])
+
+
+@pytest.mark.parametrize(("points", "loops"), [(half_sphere(), 1), (tube(), 2)])
+def test_open_boundaries_are_where_the_points_end(points: Points, loops: int) -> None:
+    result = reconstruct(document_of(points), targetvertnum=1000, topology=LEARNED, boundaries=1)
+    assert (result["vertices"], result["genus"], result["components"]) == (1000, 0, 1)
+    assert result["boundary_loops"] == loops
+    assert result["coverage"] > 0.999
+    assert result["unsupported_area"] < 0.001
+
+
+@pytest.mark.parametrize("points", [half_sphere(), tube()])
+def test_closed_boundaries_are_filled(points: Points) -> None:
+    document = document_of(points)
+    result = reconstruct(document, targetvertnum=1000, topology=LEARNED)
+    assert (result["vertices"], result["faces"]) == (1000, 1996)  # Euler, genus 0, closed
+    assert (result["boundary_loops"], result["self_intersections"]) == (0, 0)
+    assert result["coverage"] > 0.999
+    assert document.get_topological_measures()["is_mesh_two_manifold"]
+
+
+def test_holes_up_to_the_maximal_size_are_closed() -> None:
+    points = sphere_points(20000)
+    # A hole of 53 degrees around the pole, 0.89 of the radius 1 wide: a quarter of the diagonal.
+    pierced = points[points[:, 2] < np.cos(np.arcsin(0.445))]
+    settings = {"targetvertnum": 600, "topology": LEARNED, "boundaries": 1}
+    wide = {"maxholesize": pymeshlab.PercentageValue(40)}
+    assert reconstruct(document_of(pierced), **settings)["boundary_loops"] == 1
+    assert reconstruct(document_of(pierced), **settings, **wide)["boundary_loops"] == 0
+
+
+def test_a_negative_hole_size_is_refused() -> None:
+    assert_refused(
+        document_of(sphere_points(1000)),
+        "MaxHoleSize must be at least 0, not -1.",
+        maxholesize=pymeshlab.PureValue(-1),
+    )

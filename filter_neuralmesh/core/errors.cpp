@@ -80,6 +80,7 @@ std::string nameOf(Parameter parameter)
     case Parameter::inactivityFactor: return "inactivityFactor";
     case Parameter::counterDecay: return "counterDecay";
     case Parameter::snapshots: return "snapshots";
+    case Parameter::maxHoleSize: return "maxHoleSize";
     }
     return {};
 }

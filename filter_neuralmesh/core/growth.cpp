@@ -19,6 +19,7 @@
 #include "core/shape/start_from_data.h"
 #include "core/space/morton_order.h"
 #include "core/space/plain_points.h"
+#include "core/topology/hole_filling.h"
 #include "core/topology/starting_mesh.h"
 
 namespace neuralmesh {
@@ -93,12 +94,18 @@ public:
     GrowthReport run()
     {
         takeSnapshotIfDue();
+        if (learnsBoundaries())
+            network_.closeHoles(parameters_.maxHoleSize);
         growToTarget();
         consolidate();
+        if (learnsBoundaries())
+            network_.closeHoles(parameters_.maxHoleSize);
         report_.splitCount = network_.verticesAdded();
         report_.collapseCount = network_.verticesRemoved();
         report_.selfIntersections =
             parameters_.surfaceFit ? fit() : network_.findSelfIntersections().faces;
+        if (parameters_.boundaries == BoundaryRule::closed && network_.closeBoundaries() > 0)
+            report_.selfIntersections = network_.findSelfIntersections().faces;
         const ErrorFigures error =
             measureError(network_, sampler_, measuring_, samplesPerErrorMeasure);
         report_.rmsError = error.rms;
@@ -114,6 +121,9 @@ public:
     }
 
 private:
+    /// Whether the mesh may have boundaries on the way, which holes are not.
+    bool learnsBoundaries() const { return parameters_.topology == Topology::learned; }
+
     bool isComplete() const { return network_.vertexCount() == parameters_.targetVertexCount; }
 
     void growToTarget()
@@ -223,6 +233,8 @@ private:
         snapshot->copyNetwork(network_.mesh());
         if (parameters_.surfaceFit)
             finishSnapshot(*snapshot);
+        else if (parameters_.boundaries == BoundaryRule::closed)
+            fillHoles(*snapshot);
         finishMesh(*snapshot);
         takeSnapshot_(std::move(snapshot));
     }

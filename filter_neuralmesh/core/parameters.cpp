@@ -48,6 +48,8 @@ void GrowthParameters::validate() const
     requireAtLeast(Parameter::inactivityFactor, inactivityFactor, 1);
     requireRate(Parameter::counterDecay, counterDecay);
     requireSnapshots(snapshots, targetVertexCount);
+    if (!(maxHoleSize >= 0))
+        throw InvalidParameter(Parameter::maxHoleSize, Problem::belowLeast, maxHoleSize, 0);
 }
 
 } // namespace neuralmesh

@@ -19,8 +19,8 @@ Report reportOf(const NeuralMesh &network, const GrowthReport &growth, double un
     report.vertices = topology.vertices;
     report.faces = topology.faces;
     report.components = topology.components;
-    report.boundaryLoops = topology.boundaryLoops;
     report.genus = topology.genus;
+    report.boundaryLoops = topology.boundaryLoops;
     report.valenceHistogram = valenceHistogram(network);
     report.signalCount = growth.signalCount;
     report.splitCount = growth.splitCount;

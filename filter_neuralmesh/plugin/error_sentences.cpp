@@ -20,6 +20,7 @@ std::string filterParameter(Parameter parameter)
     case Parameter::inactivityFactor: return "InactivityFactor";
     case Parameter::counterDecay: return "CounterDecay";
     case Parameter::snapshots: return "Snapshots";
+    case Parameter::maxHoleSize: return "MaxHoleSize";
     }
     return {};
 }

@@ -135,10 +135,11 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
                                                               const MakeTarget &makeTarget)
 {
     const auto start = std::chrono::steady_clock::now();
-    const neuralmesh::GrowthParameters growthParameters = readGrowthParameters(parameters);
+    neuralmesh::GrowthParameters growthParameters = readGrowthParameters(parameters);
     growthParameters.validate();
     const neuralmesh::Progress progress = throttledProgress(callback);
     const TargetSpace target = makeTarget(part(progress, 0, shareOfOpening));
+    growthParameters.maxHoleSize /= target.sampler->frame().diagonal();
 
     Reconstruction result;
     result.seed = growthParameters.seed;

@@ -111,6 +111,16 @@ void addStartParameters(RichParameterList &list, const MeshDocument &document)
                            {"That of the starting mesh", "Learned from the data"}, "Topology",
                            "Handles and components of the result: those of the starting mesh, or "
                            "those of the points."));
+    list.addParam(RichEnum("Boundaries", static_cast<int>(d.boundaries), {"Closed", "Open"},
+                           "Boundaries",
+                           "With a learned topology: closed is watertight, and holes in the data "
+                           "are filled; open has no surface where there are no points."));
+    const Box3m box = document.bbox();
+    const Scalarm diagonal = box.IsNull() ? 1 : box.Diag();
+    list.addParam(RichPercentage("MaxHoleSize", static_cast<Scalarm>(d.maxHoleSize) * diagonal, 0,
+                                 diagonal, "Maximal hole size",
+                                 "With open boundaries: smaller gaps in the data are closed. In "
+                                 "per cent of the diagonal of the document's bounding box."));
     const MeshModel *current = document.mm();
     list.addParam(RichEnum(
         "StartMesh", static_cast<int>(d.startMesh),
@@ -225,6 +235,8 @@ neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &param
     growth.splitRule = static_cast<neuralmesh::SplitRule>(parameters.getEnum("SplitRule"));
     growth.surfaceFit = parameters.getBool("SurfaceFit");
     growth.edgeFlips = parameters.getBool("EdgeFlips");
+    growth.maxHoleSize = parameters.getAbsPerc("MaxHoleSize");
+    growth.boundaries = static_cast<neuralmesh::BoundaryRule>(parameters.getEnum("Boundaries"));
     growth.topology = static_cast<neuralmesh::Topology>(parameters.getEnum("Topology"));
     growth.startMesh = static_cast<neuralmesh::StartMesh>(parameters.getEnum("StartMesh"));
     growth.snapshots = readSnapshots(parameters);

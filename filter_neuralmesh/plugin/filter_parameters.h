@@ -14,6 +14,7 @@ RichParameterList reconstructionParameters(const MeshDocument &document);
 RichParameterList implicitParameters(const MeshDocument &document);
 RichParameterList parametricParameters(const MeshDocument &document);
 
-/// The core's parameters, not validated yet. A RandomSeed of 0 becomes a fresh positive seed.
+/// The core's parameters, not validated yet, maxHoleSize still in units of the input. A RandomSeed
+/// of 0 becomes a fresh positive seed.
 /// Throws InvalidInput for a negative RandomSeed and for Snapshots that are no list of counts.
 neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &parameters);

@@ -16,6 +16,7 @@
 #include "core/network/regular_collapses.h"
 #include "core/network/valences.h"
 #include "core/nth_root.h"
+#include "core/topology/hole_filling.h"
 #include "core/topology/tear_mending.h"
 #include "core/topology/unsupported_edges.h"
 #include "core/topology/web_removal.h"
@@ -114,6 +115,16 @@ void GrowingNetwork::moveVertex(VertexId v, const Point3 &position)
 SelfIntersections GrowingNetwork::findSelfIntersections()
 {
     return neuralmesh::findSelfIntersections(mesh_);
+}
+
+int GrowingNetwork::closeBoundaries()
+{
+    return fillHoles(mesh_);
+}
+
+int GrowingNetwork::closeHoles(double width)
+{
+    return fillHolesUpTo(mesh_, M_PI / 4 * width * width);
 }
 
 void GrowingNetwork::evenValences()

@@ -63,6 +63,12 @@ public:
     /// Makes the mesh's faces anew.
     SelfIntersections findSelfIntersections();
 
+    /// Fills every boundary by a disc without new vertices. Returns how many were filled.
+    int closeBoundaries();
+
+    /// Fills those only that are no wider than that, in the unit frame, seen as a circle.
+    int closeHoles(double width);
+
     /// Flips edges all over the mesh where that evens out the valences or widens angles.
     void evenValences();
 

@@ -8,6 +8,7 @@
 #include "core/mesh/manifold_mesh.h"
 #include "core/mesh/triangle.h"
 #include "core/shape/marching_tetrahedra.h"
+#include "core/shape/membrane_opening.h"
 #include "core/shape/outside_flood.h"
 #include "core/shape/quadric_decimation.h"
 #include "core/shape/winding_field.h"
@@ -61,6 +62,10 @@ constexpr double faultless = 0.01;
 constexpr double farInCells = 2;
 constexpr double farInSpacings = 2;
 
+/// A membrane reaches to where faces are nearer than this.
+constexpr double nearInCells = 1;
+constexpr double nearInSpacings = 1.5;
+
 /// A part of the surface counts where it has at least so many points for...
 constexpr double leastPoints = 12;
 
@@ -78,6 +83,8 @@ public:
     }
 
     Point3 toCube(const Point3 &p) const { return (p - centre_) / side_ + Point3(0.5, 0.5, 0.5); }
+    /// In the cube, of a hole as wide as that in the unit frame.
+    double areaOfHole(double width) const { return M_PI / 4 * width * width / (side_ * side_); }
     Point3 fromCube(const Point3 &p) const { return (p - Point3(0.5, 0.5, 0.5)) * side_ + centre_; }
 
 private:
@@ -242,16 +249,21 @@ public:
         }
         const Surface &s = reading.surface;
         soup_ = s.soup;
-        return {cells(),
-                s.components,
-                s.genus,
-                s.unsupportedShare,
-                s.missedShare,
-                isSheet_,
-                isStable || (s.unsupportedShare < faultless && s.missedShare < faultless)};
+        return {
+            cells(),  s.components,
+            s.genus,  s.unsupportedShare,
+            0,        s.missedShare,
+            isSheet_, isStable || (s.unsupportedShare < faultless && s.missedShare < faultless)};
     }
 
     const TriangleSoup &soup() const { return soup_; }
+
+    /// Between noise and the level set's own error on one side, and membranes on the other.
+    SupportRadii supportRadii() const
+    {
+        return {std::max(nearInCells, nearInSpacings * spacing()) / cells(),
+                std::max(farInCells, farInSpacings * spacing()) / cells()};
+    }
 
 private:
     int cells() const { return field_.field().cells(); }
@@ -323,7 +335,7 @@ private:
 } // namespace
 
 CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
-                            std::size_t pointCount, int vertices)
+                            std::size_t pointCount, int vertices, double hole)
 {
     const CubeFrame frame(points);
     std::vector<Point3> inCube;
@@ -331,10 +343,13 @@ CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
     for (const Point3 &p : points)
         inCube.push_back(frame.toCube(p));
     ShapeSearch search(inCube, pointCount);
-    const CoarseShape shape = search.run();
+    CoarseShape shape = search.run();
     if (search.soup().faces.empty())
         return {};
-    makeManifold(mesh, search.soup().points, search.soup().faces);
+    const MembraneOpening opening =
+        openMembranes(search.soup(), inCube, search.supportRadii(), frame.areaOfHole(hole));
+    shape.openings = opening.openings;
+    makeManifold(mesh, search.soup().points, opening.faces, Boundaries::allowed);
     decimate(mesh, vertices);
     for (NeuralVertex &vertex : mesh.vert)
         vertex.P() = frame.fromCube(vertex.P());

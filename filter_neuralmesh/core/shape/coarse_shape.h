@@ -14,8 +14,10 @@ struct CoarseShape {
     int cells = 0;      ///< of the grid that was fine enough, per axis
     int components = 0; ///< of the mesh
     int genus = 0;      ///< sum over the components
-    /// Share of the mesh's area that is far from all points: membranes that close open surfaces.
+    /// Share of the closed surface's area that is far from all points: of membranes.
     double unsupportedShare = 0;
+    /// Membranes that were taken out.
+    int openings = 0;
     /// Share of the points that are far from the mesh.
     double missedShare = 0;
     /// Whether the points are of an open sheet, which a membrane closes.
@@ -24,14 +26,15 @@ struct CoarseShape {
     bool isTrusted = false;
 };
 
-/// Makes `mesh` a closed oriented two-manifold of the shape of the points, of about `vertices`
-/// vertices, without normals. The points, in the unit frame, are samples of a target space of
+/// Makes `mesh` an oriented two-manifold of the shape of the points, of about `vertices` vertices,
+/// without normals. It is closed but for gaps in the data that are wider than `hole`, in the unit
+/// frame, where it has boundaries. The points, in the unit frame, are samples of a target space of
 /// `pointCount` distinct points.
 ///
 /// The sides are those of a winding field (winding_field.h), corrected by what a flood from outside
 /// reaches (outside_flood.h). The grid is refined until the shape no longer changes; its level set
 /// is decimated. Parts that hardly any point supports are left out.
 CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
-                            std::size_t pointCount, int vertices);
+                            std::size_t pointCount, int vertices, double hole);
 
 } // namespace neuralmesh

@@ -11,8 +11,6 @@
 namespace neuralmesh {
 namespace {
 
-constexpr FaceId noFace = 0xffffffffU;
-
 enum class Support : unsigned char { near, notNear, far };
 
 /// By face: the faces across its three sides.

@@ -5,6 +5,8 @@
 #include <queue>
 #include <vector>
 
+#include "core/mesh/boundary.h"
+#include "core/mesh/enumeration.h"
 #include "core/mesh/ring_topology.h"
 
 namespace neuralmesh {
@@ -91,16 +93,26 @@ private:
 
     void measure(VertexId v)
     {
-        const NeighbourRing &ring = mesh_.ring(v);
-        for (int i = 0; i < ring.size(); ++i) {
-            const Point3 &a = mesh_.position(v);
-            Point3 normal = (mesh_.position(ring[i]) - a) ^ (mesh_.position(ring.at(i + 1)) - a);
-            const double area = normal.Norm();
-            if (area > 0) {
-                normal /= area;
-                quadrics_[v].addPlane(normal, -(normal * a), area);
-            }
-        }
+        const Point3 &centre = mesh_.position(v);
+        forEachFaceAround(mesh_, v, [&](VertexId a, VertexId b) {
+            const Point3 toA = mesh_.position(a) - centre;
+            const Point3 toB = mesh_.position(b) - centre;
+            addPlane(v, toA ^ toB);
+            // Across the face at a boundary edge, so that the boundary keeps its place.
+            for (const VertexId end : {a, b})
+                if (isBoundaryEdge(mesh_, v, end))
+                    addPlane(v, (toA ^ toB) ^ (mesh_.position(end) - centre).Normalize());
+        });
+    }
+
+    /// The plane through v with that normal, which is as long as the plane counts.
+    void addPlane(VertexId v, Point3 normal)
+    {
+        const double weight = normal.Norm();
+        if (!(weight > 0))
+            return;
+        normal /= weight;
+        quadrics_[v].addPlane(normal, -(normal * mesh_.position(v)), weight);
     }
 
     Point3 bestPlace(VertexId v, VertexId u) const
@@ -126,21 +138,19 @@ private:
     /// Whether a face of v that u is not a corner of would turn if v moved.
     bool turnsFace(VertexId v, VertexId u, const Point3 &place) const
     {
-        const NeighbourRing &ring = mesh_.ring(v);
         const Point3 &before = mesh_.position(v);
-        for (int i = 0; i < ring.size(); ++i) {
-            const VertexId a = ring[i];
-            const VertexId b = ring.at(i + 1);
+        bool turns = false;
+        forEachFaceAround(mesh_, v, [&](VertexId a, VertexId b) {
             if (a == u || b == u)
-                continue;
+                return;
             const Point3 &p = mesh_.position(a);
             const Point3 side = mesh_.position(b) - p;
             const Point3 old = side ^ (before - p);
             const Point3 now = side ^ (place - p);
-            if (old * now <= leastTurn * old.Norm() * now.Norm() && old.SquaredNorm() > 0)
-                return true;
-        }
-        return false;
+            turns = turns ||
+                    (old * now <= leastTurn * old.Norm() * now.Norm() && old.SquaredNorm() > 0);
+        });
+        return turns;
     }
 
     void remove(VertexId v, VertexId u, const Point3 &place)

@@ -27,7 +27,8 @@ bool startFromData(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamet
     std::vector<Point> samples;
     sampler.draw(random, std::min(mostSamples, samplesPerPoint * points), samples);
     const int vertices = std::min(mostVertices, parameters.targetVertexCount / 2);
-    const CoarseShape shape = findCoarseShape(mesh, toVcg(samples), sampler.pointCount(), vertices);
+    const CoarseShape shape = findCoarseShape(mesh, toVcg(samples), sampler.pointCount(), vertices,
+                                              parameters.maxHoleSize);
     return shape.isTrusted && mesh.vn <= parameters.targetVertexCount;
 }
 

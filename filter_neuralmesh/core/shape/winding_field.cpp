@@ -13,9 +13,6 @@ namespace {
 /// V-cycles of each solution: what one leaves, the next round corrects.
 constexpr int cyclesPerSolution = 2;
 
-/// Of all normals at the start, in the areas that the points stand for.
-constexpr float startingLean = 0.1F;
-
 /// Halvings of the grid over which the level of the points is spread, and the weight of what is
 /// known further away, in points.
 constexpr int levelHalvings = 2;
@@ -46,16 +43,16 @@ void WindingField::locate()
         places_.push_back(trilinearWeights(field_, p));
 }
 
-/// A flat sheet has two sides that are alike, and descent alone would choose one here and the other
-/// there. A slight lean to one side is all that it takes; a closed surface forgets it.
+/// A sheet has two sides that are alike, and descent alone would choose one here and the other
+/// there. So all normals start in one direction, as long as the area that each point stands for; a
+/// closed surface forgets it.
 void WindingField::leanToThinnestAxis()
 {
     std::unordered_set<std::uint32_t> cells;
     for (const TrilinearWeights &place : places_)
         cells.insert(place.nodes[0]);
     const PrincipalAxes frame = principalAxes(points_);
-    const float length =
-        startingLean * static_cast<float>(cells.size()) / static_cast<float>(points_.size());
+    const float length = static_cast<float>(cells.size()) / static_cast<float>(points_.size());
     const Vector lean(static_cast<float>(frame.axes(0, 0)), static_cast<float>(frame.axes(1, 0)),
                       static_cast<float>(frame.axes(2, 0)));
     normals_.assign(points_.size(), lean * length);

@@ -31,7 +31,8 @@ enum class Parameter {
     signalsPerSplit,
     inactivityFactor,
     counterDecay,
-    snapshots
+    snapshots,
+    maxHoleSize
 };
 
 /// The member's name, such as "targetVertexCount".

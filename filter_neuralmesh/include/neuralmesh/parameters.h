@@ -27,6 +27,13 @@ enum class StartMesh {
     fromData
 };
 
+enum class BoundaryRule {
+    /// Watertight: holes in the data are filled.
+    closed,
+    /// Where there is no data, there is no surface.
+    open
+};
+
 enum class Topology {
     /// That of the starting mesh, as in the paper.
     ofStart,
@@ -68,6 +75,11 @@ struct GrowthParameters {
     /// What the network starts from. Paper: a tetrahedron, "or any closed manifold" (§3).
     StartMesh startMesh = StartMesh::tetrahedron;
     Topology topology = Topology::ofStart;
+    /// With Topology::learned.
+    BoundaryRule boundaries = BoundaryRule::closed;
+    /// With open boundaries: gaps in the data up to this width are closed, in diagonals of the
+    /// samples' bounding box.
+    double maxHoleSize = 0.1;
     /// Vertex counts, ascending, at which the network is shown on its way.
     std::vector<int> snapshots;
     std::uint64_t seed = 1;

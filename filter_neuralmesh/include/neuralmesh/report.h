@@ -11,9 +11,9 @@ struct Report {
     int vertices = 0;
     int faces = 0;
     int components = 0;
-    int boundaryLoops = 0;
     /// Sum of the components' genera.
     int genus = 0;
+    int boundaryLoops = 0;
     /// Entry k counts the vertices of valence k.
     std::vector<int> valenceHistogram;
 
