@@ -66,6 +66,12 @@ void finishMesh(NeuralMesh &mesh)
     rebuildFaces(mesh);
 }
 
+bool startsFromData(const GrowthParameters &parameters)
+{
+    return parameters.startMesh == StartMesh::fromData ||
+           (parameters.topology == Topology::learned && parameters.startMesh != StartMesh::given);
+}
+
 class Growth {
 public:
     Growth(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
@@ -104,7 +110,7 @@ public:
         report_.collapseCount = network_.verticesRemoved();
         report_.selfIntersections =
             parameters_.surfaceFit ? fit() : network_.findSelfIntersections().faces;
-        if (parameters_.boundaries == BoundaryRule::closed && network_.closeBoundaries() > 0)
+        if (isToBeClosed() && network_.closeBoundaries() > 0)
             report_.selfIntersections = network_.findSelfIntersections().faces;
         const ErrorFigures error =
             measureError(network_, sampler_, measuring_, samplesPerErrorMeasure);
@@ -121,8 +127,12 @@ public:
     }
 
 private:
-    /// Whether the mesh may have boundaries on the way, which holes are not.
-    bool learnsBoundaries() const { return parameters_.topology == Topology::learned; }
+    /// Whether boundaries are those of the data, not those of a starting mesh that was given.
+    bool learnsBoundaries() const { return startsFromData(parameters_); }
+    bool isToBeClosed() const
+    {
+        return learnsBoundaries() && parameters_.boundaries == BoundaryRule::closed;
+    }
 
     bool isComplete() const { return network_.vertexCount() == parameters_.targetVertexCount; }
 
@@ -233,7 +243,7 @@ private:
         snapshot->copyNetwork(network_.mesh());
         if (parameters_.surfaceFit)
             finishSnapshot(*snapshot);
-        else if (parameters_.boundaries == BoundaryRule::closed)
+        else if (isToBeClosed())
             fillHoles(*snapshot);
         finishMesh(*snapshot);
         takeSnapshot_(std::move(snapshot));
@@ -335,12 +345,6 @@ void requireRoomAbove(int startingVertices, const GrowthParameters &parameters)
     requireAtLeast(Parameter::targetVertexCount, parameters.targetVertexCount);
     if (!parameters.snapshots.empty())
         requireAtLeast(Parameter::snapshots, parameters.snapshots.front());
-}
-
-bool startsFromData(const GrowthParameters &parameters)
-{
-    return parameters.startMesh == StartMesh::fromData ||
-           (parameters.topology == Topology::learned && parameters.startMesh != StartMesh::given);
 }
 
 } // namespace
