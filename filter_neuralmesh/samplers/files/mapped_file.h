@@ -13,8 +13,8 @@ struct Bytes {
     std::size_t size = 0;
 };
 
-/// A file mapped into memory for reading (POSIX): its pages are the system's, which takes them back
-/// when it needs them, and count as no memory of the process.
+/// A file mapped into memory for reading, by POSIX calls, which no other file makes: its pages are
+/// the system's, which takes them back when it needs them, and count as no memory of the process.
 class MappedFile {
 public:
     /// Throws InvalidInput with a sentence, without the file's name, where the file is missing, no

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/portability.h"
 #include "neuralmesh/sampler_errors.h"
 #include "samplers/files/point_file_format.h"
 #include "samplers/files/point_survey.h"
@@ -120,7 +121,7 @@ void PointFileSampler::drawAtOnce(Random &random, std::size_t count, Point *samp
     std::uint64_t indices[readsAtOnce];
     for (std::size_t i = 0; i < count; ++i) {
         indices[i] = randomIndex(random, records_.count());
-        __builtin_prefetch(records_.record(indices[i]));
+        prefetch(records_.record(indices[i]));
     }
     for (std::size_t i = 0; i < count; ++i)
         samples[i] = toPlain(unitPoint(indices[i]));

@@ -11,6 +11,7 @@
 
 #include <vcg/space/box3.h>
 
+#include "core/portability.h"
 #include "samplers/files/mapped_file.h"
 
 namespace neuralmesh {
@@ -45,8 +46,6 @@ struct PointLayout {
 /// not hold all its records, or where a record does not hold its coordinates. A layout that passes
 /// is safe to read, whatever its header said.
 void requireRoom(const PointLayout &layout, std::uint64_t fileSize);
-
-constexpr bool hostIsBigEndian = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
 
 /// An integer or floating-point number at any address, in either byte order.
 template <class T> T loadNumber(const unsigned char *at, bool bigEndian)
