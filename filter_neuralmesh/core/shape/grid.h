@@ -84,7 +84,7 @@ inline TrilinearWeights trilinearWeights(const Grid &grid, const Point3 &place)
 inline float interpolate(const Grid &grid, const TrilinearWeights &w)
 {
     float sum = 0;
-    for (int i = 0; i < 8; ++i)
+    for (std::size_t i = 0; i < 8; ++i)
         sum += w.weights[i] * grid[w.nodes[i]];
     return sum;
 }

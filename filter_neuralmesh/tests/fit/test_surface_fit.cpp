@@ -150,7 +150,7 @@ double rmsDistanceFromPlate(const NeuralMesh &mesh, const UnitFrame &frame)
 TEST(SurfaceFit, lays_folds_flat_in_strong_noise)
 {
     double logarithms = 0;
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const PointCloudSampler sampler(noisyPlate(15000, 0.02, seed));
         GrowthParameters parameters;
         parameters.targetVertexCount = 1500;
