@@ -13,8 +13,9 @@ set(muparser_sources muParser muParserBase muParserBytecode muParserCallback muP
     muParserTokenReader)
 list(TRANSFORM muparser_sources REPLACE "(.+)" "${MUPARSER_SOURCE_DIR}/src/\\1.cpp")
 add_library(muparser STATIC ${muparser_sources})
-target_include_directories(muparser SYSTEM PUBLIC "${MUPARSER_SOURCE_DIR}/include")
+target_include_directories(muparser SYSTEM PUBLIC
+    $<BUILD_INTERFACE:${MUPARSER_SOURCE_DIR}/include>)
 target_compile_definitions(muparser PUBLIC MUPARSER_STATIC)
-target_link_libraries(muparser PRIVATE neuralmesh_flags)
+target_link_libraries(muparser PRIVATE $<BUILD_INTERFACE:neuralmesh_flags>)
 target_compile_options(muparser PRIVATE -w) # not ours to mend
 set_target_properties(muparser PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
