@@ -54,24 +54,25 @@ def make_case(model: str, condition: str, seed: int) -> Case:
     else:
         points = reference_points
         normals = vertex_normals(reference_points, reference_faces)
-    settings = CONDITIONS[condition]
     generator = np.random.default_rng([seed, 1])
-    if settings.noise:
-        sigma = settings.noise * diagonal(reference_points)
+    worse = worsened(points, reference_points, CONDITIONS[condition], generator)
+    strays = len(worse) - len(points)
+    directions = generator.normal(size=(strays, 3))
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    return Case(worse, np.vstack([normals, directions]), reference_points, reference_faces)
+
+
+def worsened(
+    points: Points, extent: Points, condition: Condition, generator: np.random.Generator
+) -> Points:
+    """Return the points with the condition's noise, followed by its outliers.
+
+    extent: points whose bounding box says how large the noise is and where outliers lie.
+    """
+    if condition.noise:
+        sigma = condition.noise * diagonal(extent)
         points = points + generator.normal(scale=sigma, size=points.shape)
-    if settings.outliers:
-        stray, strays_normals = _outliers(
-            reference_points, round(settings.outliers * len(points)), generator
-        )
-        points, normals = np.vstack([points, stray]), np.vstack([normals, strays_normals])
-    return Case(points, normals, reference_points, reference_faces)
-
-
-def _outliers(
-    reference: Points, count: int, generator: np.random.Generator
-) -> tuple[Points, Points]:
-    low, high = reference.min(axis=0), reference.max(axis=0)
+    low, high = extent.min(axis=0), extent.max(axis=0)
     margin = OUTLIER_BOX_GROWTH / 2 * (high - low)
-    points = generator.uniform(low - margin, high + margin, size=(count, 3))
-    directions = generator.normal(size=(count, 3))
-    return points, directions / np.linalg.norm(directions, axis=1, keepdims=True)
+    count = round(condition.outliers * len(points))
+    return np.vstack([points, generator.uniform(low - margin, high + margin, size=(count, 3))])

@@ -71,6 +71,14 @@ def thin_blade() -> tuple[Points, Faces]:
     return points, faces
 
 
+def picture_frame(bar: float) -> tuple[Points, Faces]:
+    """A square frame of genus 1, 2 wide about the origin, whose bars are `bar` wide and deep."""
+    planes = [-1, bar - 1, 1 - bar, 1]
+    filled = np.ones((3, 3, 1), dtype=bool)
+    filled[1, 1, 0] = False
+    return union_of_cells(planes, planes, [-bar / 2, bar / 2], filled)
+
+
 def unit_sphere(rings: int) -> tuple[Points, Faces]:
     """A closed sphere of radius 1 about the origin: an octahedron with each edge cut in `rings`.
 
