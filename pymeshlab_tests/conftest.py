@@ -10,6 +10,7 @@ import pymeshlab
 import pytest
 from numpy.typing import NDArray
 
+from neuralmesh_tools.layers import load_plugin
 from neuralmesh_tools.project import PLUGIN
 from neuralmesh_tools.project import sample_meshes as sample_meshes_folder
 
@@ -35,7 +36,7 @@ def plugin() -> Path:
     """Load the plugin, once a process; a missing build fails the tests, it does not skip them."""
     if not PLUGIN.is_file():
         pytest.fail(f"{PLUGIN} is missing: run scripts/build", pytrace=False)
-    pymeshlab.load_plugin(str(PLUGIN))
+    load_plugin(PLUGIN)
     return PLUGIN
 
 

@@ -9,6 +9,7 @@ import sys
 from neuralmesh_tools.benchmarks.batches import compare_workers
 from neuralmesh_tools.benchmarks.point_file import compare_file
 from neuralmesh_tools.benchmarks.speed import compare_speed
+from neuralmesh_tools.benchmarks.topology import table as topology_table
 from neuralmesh_tools.command_line import add_plugin, parser_of
 from neuralmesh_tools.project import PluginMissing, require_plugin
 from neuralmesh_tools.quality import table
@@ -21,6 +22,8 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     parser = parser_of(description)
     what = parser.add_argument_group("what to measure")
     what.add_argument("--quality", action="store_true", help="errors, topology and shape")
+    text = "handles, parts and borders, against what the data have"
+    what.add_argument("--topology", action="store_true", help=text)
     text = "time against Poisson and decimation, on the bunny"
     what.add_argument("--speed", action="store_true", help=text)
     text = "throughput of batches of so many small clouds (default 200)"
@@ -33,16 +36,20 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     what.add_argument("--file-points", type=int, default=100_000_000, help="(default 100000000)")
     text = "of each, for --speed, --batch and --file (default 5)"
     what.add_argument("--runs", type=int, default=5, help=text)
-    text = "of each result (default 5000; --quality: the model's own)"
+    text = "of each result (default 5000; --quality, --topology: the model's own)"
     what.add_argument("--vertices", type=int, metavar="N", help=text)
     add_plugin(what)
     table.add_options(parser)
+    topology_table.add_options(parser)
     options = parser.parse_args()
-    if not (options.quality or options.speed or options.batch or options.file):
-        parser.error("nothing to measure: give --quality, --speed, --batch or --file")
+    asked = (options.quality, options.topology, options.speed, options.batch, options.file)
+    if not any(asked):
+        parser.error("nothing to measure: give --quality, --topology, --speed, --batch or --file")
+    if options.quality and options.topology:
+        parser.error("--quality and --topology share options: give one of them")
     if options.vertices is not None and options.vertices < 4:
         parser.error("--vertices must be at least 4")
-    table.check_options(parser, options)
+    (topology_table if options.topology else table).check_options(parser, options)
     return options
 
 
@@ -59,6 +66,8 @@ def main(description: str | None) -> int:
         if options.file:
             plugin = require_plugin(options.plugin)
             print(compare_file(plugin, options.file_points, vertices, options.runs), flush=True)
+        if options.topology:
+            return topology_table.run_table(options)
     except PluginMissing as problem:
         print(problem, file=sys.stderr)
         return 1

@@ -26,14 +26,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     text = f"comma separated, or all; of {listed(models.MODELS)} (default: the first eight)"
     quality.add_argument("--models", default=",".join(models.TABLE_MODELS), help=text)
     text = "comma separated (default: all)"
-    quality.add_argument("--conditions", default=",".join(CONDITIONS), help=text)
+    quality.add_argument("--conditions", help=text)
     text = f"comma separated; of {listed(TABLE_METHODS)}"
     quality.add_argument("--methods", default="", help=text)
-    quality.add_argument("--seeds", default="1", help="comma separated (default 1)")
+    text = "comma separated (default 1; --topology: 1 to 5)"
+    quality.add_argument("--seeds", help=text)
     quality.add_argument("--timeout", type=float, default=300, help="seconds a row (default 300)")
     text = "a method (default 1: Poisson's threads spin and stall where others use the cores)"
     quality.add_argument("--threads", type=int, default=1, help=text)
-    text = "one more row of ours with these filter parameters; may be repeated"
+    text = (
+        "one more row of ours with these filter parameters; may be repeated. --topology: all rows "
+        "with them"
+    )
     quality.add_argument(
         "--ours", action="append", default=[], metavar="NAME=VALUE[,...]", help=text
     )
@@ -47,10 +51,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def check_options(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     """Turn lists of names into lists; exits with 2 on a model, condition or method unknown."""
     options.models = names(parser, "model", options.models, models.MODELS)
-    options.conditions = names(parser, "condition", options.conditions, CONDITIONS)
+    options.conditions = names(parser, "condition", options.conditions or "all", CONDITIONS)
     options.methods = names(parser, "method", options.methods, TABLE_METHODS)
     try:
-        options.seeds = [int(seed) for seed in options.seeds.split(",")]
+        options.seeds = [int(seed) for seed in (options.seeds or "1").split(",")]
         options.variants = [Variant("ours", parse_parameters(text)) for text in options.ours]
     except ValueError as problem:
         parser.error(str(problem))

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes have the handles, parts and borders of their data: small runs of the topology table."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from neuralmesh_tools import datasets
+from neuralmesh_tools.benchmarks.topology.data import made
+from neuralmesh_tools.benchmarks.topology.judge import Run, faults
+from neuralmesh_tools.benchmarks.topology.rows import ROWS
+from neuralmesh_tools.benchmarks.topology.run import Job, measure_run
+from neuralmesh_tools.methods import Task
+
+VERTICES = 1_500
+
+CASES = [
+    ("torus", "clean"),
+    ("torus", "sparse"),
+    ("two-spheres", "clean"),
+    ("frame-0.3", "clean"),
+    ("knot1", "clean"),
+    ("hemisphere", "clean"),
+    ("bent-sheet", "clean"),
+    ("tube", "clean"),
+    ("hemisphere-closed", "clean"),
+    ("tube-closed", "clean"),
+]
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize(("name", "condition"), CASES)
+def test_a_mesh_has_the_shape_of_its_data(plugin: Path, name: str, condition: str, seed: int):
+    row = ROWS[name]
+    try:
+        cloud = made(row.maker, row.points, condition, seed)
+    except datasets.Unavailable as problem:
+        pytest.skip(str(problem))
+    task = Task(VERTICES, parameters={**row.parameters, "randomseed": seed})
+    values = measure_run(Job(plugin, cloud, task, row.expected.window, distances=False))
+    assert faults(Run(name, condition, seed, VERTICES, values), row.expected) == []
