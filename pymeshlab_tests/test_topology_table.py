@@ -208,3 +208,13 @@ def test_a_line_says_what_the_others_are_and_how_many():
     assert found["otherwise"] == "genus 1 (×2); crossing faces, genus 2 (×1)"
     assert found["self-int."] == "4"
     assert found["missed"] == "1 of 4 right, not 4"
+
+
+def test_the_overview_is_bold_where_too_few_runs_are_right():
+    runs = [run_of(), run_of(genus=1), run_of("noise"), run_of(row="torus", genus=1)]
+    assert report.overview(runs).splitlines() == [
+        "| data | expected | clean | σ = 0.2 % |",
+        "|---|---|--:|--:|",
+        "| bunny | genus 0, closed | **1 of 2** | 1 of 1 |",
+        "| torus | genus 1, closed | 1 of 1 |  |",
+    ]

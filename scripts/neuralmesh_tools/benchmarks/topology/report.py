@@ -80,6 +80,29 @@ def line(runs: Sequence[Run], bunny: float) -> str:
     return f"| {' | '.join(cells)} |"
 
 
+def overview(runs: Sequence[Run]) -> str:
+    """A table of how many runs are right, a line a row, a column a condition."""
+    right: dict[tuple[str, str], list[bool]] = {}
+    for run in runs:
+        found = right.setdefault((run.row, run.condition), [])
+        found.append(not faults(run, ROWS[run.row].expected))
+    conditions = [name for name in CONDITIONS if any(run.condition == name for run in runs)]
+    labels = " | ".join(CONDITIONS[name].label for name in conditions)
+    lines = [f"| data | expected | {labels} |", "|---|---|" + "--:|" * len(conditions)]
+    for row in dict.fromkeys(run.row for run in runs):
+        cells = [_share(right.get((row, name)), row, name) for name in conditions]
+        lines.append(f"| {row} | {described(ROWS[row].expected)} | {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def _share(right: list[bool] | None, row: str, condition: str) -> str:
+    """Right runs of all; bold where they are fewer than needed."""
+    if right is None:
+        return ""
+    text = f"{sum(right)} of {len(right)}"
+    return text if sum(right) >= needed(row, condition, len(right)) else f"**{text}**"
+
+
 def described(expected: Expected) -> str:
     """What is expected, in a few words."""
     words = []

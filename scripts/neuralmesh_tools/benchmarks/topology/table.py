@@ -72,7 +72,8 @@ def run_table(options: argparse.Namespace) -> int:
                 print(report.line(found, bunny), flush=True)
                 runs += found
                 misses += [f"{row}, {condition}: {words}" for words in missed(found, bunny)]
-    print("\n" + "\n".join([f"{len(misses)} bars are missed.", *(f"- {miss}" for miss in misses)]))
+    print(f"\n{report.overview(runs)}\n\nBars missed: {len(misses)}")
+    print("\n".join(f"- {miss}" for miss in misses))
     if options.json:
         write_in_one_step(options.json, json.dumps(report.as_json(runs), indent=1))
     return 1 if misses else 0
