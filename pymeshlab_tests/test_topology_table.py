@@ -97,6 +97,13 @@ def test_conditions_are_what_they_say():
     assert (len(stray.points), len(sparse.points)) == (5_250, 3_000)
 
 
+def test_outliers_of_a_plane_lie_on_both_sides_of_it():
+    cloud = data.made(ROWS["flat-square"].maker, 5_000, "outliers", 1)
+    reach = cloud.points[5_000:, 2]
+    # The least and the greatest of 250 uniform heights are within 4 % of the ends, nearly always.
+    assert (reach.min(), reach.max()) == pytest.approx((-0.05, 0.05), abs=0.004)
+
+
 def test_zeros_far_away_do_not_make_the_noise_larger():
     cloud = data.made(ROWS["zeros-10km"].maker, 5_000, "noise", 1)
     assert np.all(cloud.points[-30:] == 0)

@@ -73,6 +73,8 @@ def worsened(
         sigma = condition.noise * diagonal(extent)
         points = points + generator.normal(scale=sigma, size=points.shape)
     low, high = extent.min(axis=0), extent.max(axis=0)
-    margin = OUTLIER_BOX_GROWTH / 2 * (high - low)
+    size = high - low
+    # Outliers of a plane lie beside it too: the box grows across it as it does along it.
+    margin = OUTLIER_BOX_GROWTH / 2 * np.where(size > 0, size, size.max())
     count = round(condition.outliers * len(points))
     return np.vstack([points, generator.uniform(low - margin, high + margin, size=(count, 3))])
