@@ -156,11 +156,16 @@ def test_options_that_a_document_explains_are_there(name: str) -> None:
 def defaults_of(filter_name: str) -> dict[str, str]:
     """Return a filter's parameters and their defaults as the documents print them."""
     # As many points as it takes for the general default of the target.
-    actual = document_of(sphere_points(10_000)).filter_parameter_values(filter_name)
-    return {
+    document = document_of(sphere_points(10_000))
+    actual = document.filter_parameter_values(filter_name)
+    printed = {
         name: f"{value:.6g}" if isinstance(value, float) else str(value)
         for name, value in actual.items()
     }
+    if "maxholesize" in actual:  # a percentage, which PyMeshLab gives as a length
+        diagonal = document.current_mesh().bounding_box().diagonal()
+        printed["maxholesize"] = f"{100 * actual['maxholesize'] / diagonal:.3g} %"
+    return printed
 
 
 def test_parameter_table_lists_all_parameters_with_their_defaults(plugin: Path) -> None:
