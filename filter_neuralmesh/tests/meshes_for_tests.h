@@ -129,4 +129,17 @@ inline void makeTorus(NeuralMesh &mesh, VertexId major, VertexId minor)
     makeMesh(mesh, points, faces);
 }
 
+/// A torus of flat section, whose upper and lower sheet are closer to each other than the vertices,
+/// and those of one lie over the middles of the other's faces.
+inline void makeFlatTorus(NeuralMesh &mesh, VertexId major, VertexId minor)
+{
+    makeTorus(mesh, major, minor);
+    for (VertexId v = 0; v < mesh.idBound(); ++v) {
+        const double a = 2 * M_PI * (v / minor) / major;
+        const double b = 2 * M_PI * (v % minor + 0.25) / minor;
+        mesh.position(v) = {(2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a),
+                            0.05 * std::sin(b)};
+    }
+}
+
 } // namespace neuralmesh::test

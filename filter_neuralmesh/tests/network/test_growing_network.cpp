@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/mesh/enumeration.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_surgery.h"
 #include "core/mesh/ring_topology.h"
@@ -109,6 +110,26 @@ TEST(GrowingNetwork, webs_are_looked_for_in_closed_meshes_only)
     validate(mesh);
     EXPECT_EQ(network.vertexCount(), 36 * 36 - 1);
     EXPECT_EQ(measureTopology(mesh).boundaryLoops, 1);
+}
+
+TEST(GrowingNetwork,
+     samples_of_a_sheet_are_won_and_projected_on_it_where_another_has_nearer_vertices)
+{
+    NeuralMesh mesh;
+    test::makeFlatTorus(mesh, 60, 10); // no longer young
+    const GrowingNetwork network(mesh, boundsOf(mesh), {});
+    int nearerToOther = 0;
+    forEachFace(mesh, [&](VertexId a, VertexId b, VertexId c) {
+        const Point3 sample = (mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3;
+        const VertexId nearest = network.nearestVertex(sample, noVertex);
+        if (nearest == a || nearest == b || nearest == c)
+            return;
+        ++nearerToOther;
+        const VertexId winner = network.findWinner(sample, noVertex);
+        EXPECT_TRUE(winner == a || winner == b || winner == c);
+        EXPECT_NEAR(network.project(nearest, sample).squaredDistance, 0, 1e-20);
+    });
+    EXPECT_GT(nearerToOther, 100);
 }
 
 TEST(GrowingNetwork, the_most_active_vertex_is_split_at_the_middle_of_its_longest_edge)

@@ -12,23 +12,10 @@
 namespace neuralmesh {
 namespace {
 
-/// A torus of flat section, whose upper and lower sheet are closer to each other than the vertices,
-/// and those of one lie over the middles of the other's faces.
-void makeFlatTorus(NeuralMesh &mesh, VertexId major, VertexId minor)
-{
-    test::makeTorus(mesh, major, minor);
-    forEachVertex(mesh, [&](VertexId v) {
-        const double a = 2 * M_PI * (v / minor) / major;
-        const double b = 2 * M_PI * (v % minor + 0.25) / minor;
-        mesh.position(v) = {(2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a),
-                            0.05 * std::sin(b)};
-    });
-}
-
 TEST(ErrorMeasure, finds_the_nearest_face_where_the_nearest_vertex_is_of_another_sheet)
 {
     NeuralMesh mesh;
-    makeFlatTorus(mesh, 24, 10);
+    test::makeFlatTorus(mesh, 24, 10);
     std::vector<Point3> onFaces;
     forEachFace(mesh, [&](VertexId a, VertexId b, VertexId c) {
         onFaces.push_back((mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3);
