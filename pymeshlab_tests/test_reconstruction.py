@@ -100,11 +100,11 @@ def test_bunny_lies_near_its_surface_and_does_not_cross_itself(
         maxdist=Percentage(100),
     )
     assert distance["n_samples"] >= 100_000
-    # Growth alone reaches 0.12 %.
-    assert distance["RMS"] <= 0.0012 * distance["diag_mesh_0"]
+    # 0.020 %, as the README says.
+    assert distance["RMS"] <= 0.00027 * distance["diag_mesh_0"]
     mesh_set.set_current_mesh(network)
     mesh_set.compute_selection_by_self_intersections_per_face()
-    assert mesh_set.current_mesh().selected_face_number() <= 10
+    assert mesh_set.current_mesh().selected_face_number() == 0
 
 
 def test_faces_point_outwards(bunny_points: pymeshlab.MeshSet) -> None:

@@ -62,9 +62,9 @@ TEST(Growth, comes_near_the_sphere_it_samples)
     NeuralMesh mesh;
     grow(mesh, sampler, withTarget(1000));
     for (const NeuralFace &face : mesh.face)
-        // A face of 1,000 vertices spans about 0.12: its sagitta is 0.12^2 / 2 / 3 = 0.0024; ten
-        // times that would be a vertex that is misplaced.
-        EXPECT_NEAR(toWorld(sampler.frame(), face.cP(0)).Norm(), 1, 0.024);
+        // A face of 1,000 vertices spans about 0.12. The fit puts its corners outside by about its
+        // sagitta, 0.12^2 / 2 / 3 = 0.0024, and 0.0033 to 0.0043 at most, of three seeds.
+        EXPECT_NEAR(toWorld(sampler.frame(), face.cP(0)).Norm(), 1, 0.006);
 }
 
 TEST(Growth, the_same_seed_gives_the_same_mesh_and_another_seed_another)
@@ -111,8 +111,9 @@ TEST(Growth, makes_even_valences_by_default_whatever_the_size)
         NeuralMesh mesh;
         grow(mesh, sampler, withTarget(target));
         const ValenceShares shares = valenceShares(mesh);
-        EXPECT_GE(shares.fiveToSeven, 98.5) << target;
-        EXPECT_GE(shares.six, 50) << target;
+        // 99.98 to 100 % and 72.2 to 74.7 %, of three seeds.
+        EXPECT_GE(shares.fiveToSeven, 99.9) << target;
+        EXPECT_GE(shares.six, 70) << target;
         least = std::min(least, shares.six);
         most = std::max(most, shares.six);
     }
