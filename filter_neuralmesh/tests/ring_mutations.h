@@ -6,6 +6,7 @@
 #include <vcg/complex/algorithms/clean.h>
 #include <vcg/complex/algorithms/update/topology.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,8 @@ inline std::vector<VertexId> liveVertices(const NeuralMesh &mesh)
     return live;
 }
 
-/// What has to stay the same of a mesh, as VCG counts it.
+/// What has to stay the same of a mesh without non-manifold edges, as VCG counts it (it walks along
+/// boundaries, which has no meaning at an edge of three faces).
 struct VcgFigures {
     int euler, boundaries, components;
 
@@ -35,7 +37,7 @@ struct VcgFigures {
         int boundaryEdges = 0;
         int nonManifoldEdges = 0;
         vcg::tri::Clean<NeuralMesh>::CountEdgeNum(mesh, edges, boundaryEdges, nonManifoldEdges);
-        euler = nonManifoldEdges > 0 ? -1000000 : mesh.vn - edges + mesh.fn;
+        euler = mesh.vn - edges + mesh.fn;
         boundaries = vcg::tri::Clean<NeuralMesh>::CountHoles(mesh);
         components = vcg::tri::Clean<NeuralMesh>::CountConnectedComponents(mesh);
     }
@@ -45,6 +47,15 @@ struct VcgFigures {
                components == other.components;
     }
 };
+
+/// Three faces or more at an edge. (VCG's count of such edges uses up its bits of a face.)
+inline bool hasNonManifoldEdge(const NeuralMesh &mesh)
+{
+    return std::any_of(mesh.face.begin(), mesh.face.end(), [](const NeuralFace &face) {
+        return !face.IsD() && !(vcg::face::IsManifold(face, 0) && vcg::face::IsManifold(face, 1) &&
+                                vcg::face::IsManifold(face, 2));
+    });
+}
 
 /// What VCG says of the mesh that plain index replacement leaves of edge (v, u): two-manifold, no
 /// doubled or degenerate face, no vertex lost but v, topology kept.
@@ -70,8 +81,8 @@ inline bool vcgAcceptsCollapse(NeuralMesh &source, VertexId v, VertexId u)
         return false;
     Clean::RemoveUnreferencedVertex(mesh);
     vcg::tri::UpdateTopology<NeuralMesh>::FaceFace(mesh);
-    return mesh.vn == source.vn - 1 && Clean::CountNonManifoldVertexFF(mesh) == 0 &&
-           VcgFigures(mesh) == VcgFigures(source);
+    return mesh.vn == source.vn - 1 && !hasNonManifoldEdge(mesh) &&
+           Clean::CountNonManifoldVertexFF(mesh) == 0 && VcgFigures(mesh) == VcgFigures(source);
 }
 
 inline void compareCollapsesWithVcg(NeuralMesh &mesh)
