@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "neuralmesh/errors.h"
 
+#include <cmath>
+#include <cstdio>
+
 namespace neuralmesh {
 namespace {
 
-std::string whole(double number)
+/// A count as it is, another number with six digits.
+std::string figure(double number)
 {
-    return std::to_string(static_cast<long long>(number));
+    char text[32];
+    const bool isCount = std::floor(number) == number && std::abs(number) < 1e15;
+    std::snprintf(text, sizeof text, isCount ? "%.0f" : "%g", number);
+    return text;
 }
 
 std::string countOf(std::uint64_t count, const char *one, const char *many)
@@ -21,10 +28,10 @@ std::string sentenceAbout(Parameter parameter, InvalidParameter::Problem problem
     const std::string name = names(parameter);
     if (problem == Problem::noRate) // the value may be NaN
         return name + " must lie between 0 and 1, both excluded.";
-    const std::string bound = whole(limit);
+    const std::string bound = figure(limit);
     const std::string counted = parameter == Parameter::snapshots
-                                    ? name + " names " + whole(value) + " vertices"
-                                    : name + " is " + whole(value);
+                                    ? name + " names " + figure(value) + " vertices"
+                                    : name + " is " + figure(value);
     switch (problem) {
     case Problem::repeated: return counted + " twice.";
     case Problem::notAscending: return counted + " after more of them.";
@@ -36,7 +43,7 @@ std::string sentenceAbout(Parameter parameter, InvalidParameter::Problem problem
     case Problem::aboveDistinctPoints:
         return counted + ", but there are only " + bound +
                " distinct points to draw from: at most " + bound + " vertices are possible.";
-    default: return name + " must be at least " + bound + ", not " + whole(value) + ".";
+    default: return name + " must be at least " + bound + ", not " + figure(value) + ".";
     }
 }
 

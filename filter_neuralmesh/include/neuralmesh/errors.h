@@ -54,7 +54,7 @@ public:
         aboveDistinctPoints ///< more vertices than there are distinct points, `limit`
     };
 
-    /// `value` and `limit` are whole numbers, except where a rate is refused.
+    /// `value` and `limit` are counts but for parameters that are none, whose value may be NaN.
     InvalidParameter(Parameter parameter, Problem problem, double value, double limit);
 
     Parameter parameter() const { return parameter_; }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "neuralmesh/parameters.h"
 #include "neuralmesh/sampler_errors.h"
 
@@ -29,6 +31,11 @@ TEST(ErrorSentences, parameters_are_called_as_in_the_dialog)
     parameters.snapshots = {6000};
     EXPECT_EQ(refusalOf(parameters),
               "Snapshots names 6000 vertices, more than TargetVertNum, which is 5000.");
+    parameters = {};
+    parameters.maxHoleSize = -0.25;
+    EXPECT_EQ(refusalOf(parameters), "MaxHoleSize must be at least 0, not -0.25.");
+    parameters.maxHoleSize = std::nan("");
+    EXPECT_EQ(refusalOf(parameters), "MaxHoleSize must be at least 0, not nan.");
 }
 
 TEST(ErrorSentences, a_starting_mesh_is_a_layer)
