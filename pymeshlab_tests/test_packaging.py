@@ -69,6 +69,17 @@ def test_install_puts_the_other_among_the_plugins_of_pymeshlab(tmp_path: Path) -
     assert there.resolve() == plugins  # .venv may be a link
 
 
+@BOTH
+def test_install_of_a_plugin_leaves_the_library_out(built: Path, tmp_path: Path) -> None:
+    subprocess.run(
+        ["cmake", "--install", str(built.parent)],
+        env=os.environ | {"DESTDIR": str(tmp_path)},
+        capture_output=True,
+        check=True,
+    )
+    assert [path.name for path in tmp_path.rglob("*") if path.is_file()] == [built.name]
+
+
 def test_documentation_covers_every_filter_and_parameter(plugin: Path) -> None:
     library = ctypes.CDLL(str(plugin))
     library.neuralmesh_documentation.restype = ctypes.c_char_p

@@ -276,7 +276,8 @@ private:
     void collapseInactive()
     {
         const int perVertex = LearningRules::of(parameters_.splitRule).supportPerVertex;
-        drawBatch(static_cast<std::size_t>(perVertex * network_.vertexCount()));
+        drawBatch(static_cast<std::size_t>(perVertex) *
+                  static_cast<std::size_t>(network_.vertexCount()));
         network_.collapseInactive(supportOfBatch());
     }
 
@@ -365,7 +366,7 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
     Growth growth(mesh, sampler, parameters, random, progress, takeSnapshot);
     if (hasShape || parameters.startMesh == StartMesh::given)
         growth.settle();
-    const GrowthReport report = growth.run();
+    GrowthReport report = growth.run();
     finishMesh(mesh);
     return report;
 }

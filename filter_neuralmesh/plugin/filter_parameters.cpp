@@ -122,12 +122,12 @@ void addStartParameters(RichParameterList &list, const MeshDocument &document)
                                  "With open boundaries: smaller gaps in the data are closed. In "
                                  "per cent of the diagonal of the document's bounding box."));
     const MeshModel *current = document.mm();
+    const auto startLayer = static_cast<unsigned int>(current == nullptr ? 0 : current->id());
     list.addParam(RichEnum(
         "StartMesh", static_cast<int>(d.startMesh),
         {"Tetrahedron", "Octahedron", "Icosahedron", "A layer", "From the data"}, "Starting mesh",
         "What the network grows from. Its topology is that of the result.", advanced));
-    list.addParam(RichMesh("StartLayer", current == nullptr ? 0U : current->id(), &document,
-                           "Starting layer",
+    list.addParam(RichMesh("StartLayer", startLayer, &document, "Starting layer",
                            "With a layer as the starting mesh: a closed two-manifold, with as many "
                            "handles and components as the result shall have, roughly in place.",
                            advanced));

@@ -22,7 +22,7 @@ namespace neuralmesh {
 namespace {
 
 /// Samples of a sweep for each vertex.
-constexpr int samplesPerVertex = 8;
+constexpr std::size_t samplesPerVertex = 8;
 /// Share of the Gauss-Newton step that each sweep takes: the first ones move the mesh, the last
 /// ones average the noise of their samples.
 constexpr Scalar steps[] = {0.9, 0.9, 0.9, 0.8, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3};
@@ -126,7 +126,7 @@ private:
     {
         accumulators_.reset();
         reach_.fade();
-        sampler_.draw(random_, static_cast<std::size_t>(samplesPerVertex * network_.vertexCount()),
+        sampler_.draw(random_, samplesPerVertex * static_cast<std::size_t>(network_.vertexCount()),
                       drawn_);
         order_.sort(drawn_, samples_);
         VertexId nearest = noVertex;

@@ -50,8 +50,13 @@ public:
 private:
     static constexpr double never = std::numeric_limits<double>::infinity();
 
-    std::size_t at(int i, int k) const { return static_cast<std::size_t>(i * (second_ + 1) + k); }
-    std::size_t rung(int i, int j) const { return static_cast<std::size_t>(i * second_ + j); }
+    static std::size_t place(int row, int width, int column)
+    {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(column);
+    }
+    std::size_t at(int i, int k) const { return place(i, second_ + 1, k); }
+    std::size_t rung(int i, int j) const { return place(i, second_, j); }
     int onSecond(int start, int k) const { return (start - k + 2 * second_) % second_; }
 
     double throughFirst(int start, int i, int k) const

@@ -42,7 +42,9 @@ public:
     LoopTriangulation fill(const std::vector<VertexId> &loop, IsTaken isTaken) const
     {
         const int size = static_cast<int>(loop.size());
-        const auto at = [size](int i, int j) { return static_cast<std::size_t>(i * size + j); };
+        const auto at = [&](int i, int j) {
+            return static_cast<std::size_t>(i) * loop.size() + static_cast<std::size_t>(j);
+        };
         const auto vertex = [&](int i) { return loop[static_cast<std::size_t>(i)]; };
         constexpr double never = std::numeric_limits<double>::infinity();
         std::vector<double> edges(at(size, 0), 0);

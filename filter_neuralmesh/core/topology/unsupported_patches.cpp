@@ -47,7 +47,7 @@ void PatchSearch::markFar(VertexId a, VertexId b)
     const FaceId face = faces_.leftOf(a, b);
     const Corners &corners = faces_.corners(face);
     const auto start = std::find(corners.begin(), corners.end(), a) - corners.begin();
-    isFar_[3 * face + static_cast<std::size_t>(start)] = 1;
+    isFar_[std::size_t(3) * face + static_cast<std::size_t>(start)] = 1;
     isSeed_[face] = 1;
 }
 
@@ -93,7 +93,7 @@ void PatchSearch::spread(std::vector<FaceId> &patch, std::size_t from)
     for (std::size_t i = from; i < patch.size(); ++i) {
         const Corners corners = faces_.corners(patch[i]);
         for (std::size_t k = 0; k < 3; ++k)
-            if (isFar_[3 * patch[i] + k] != 0)
+            if (isFar_[std::size_t(3) * patch[i] + k] != 0)
                 add(faces_.leftOf(corners[(k + 1) % 3], corners[k]), patch);
     }
 }

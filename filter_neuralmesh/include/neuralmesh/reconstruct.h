@@ -13,7 +13,8 @@
 
 namespace neuralmesh {
 
-/// A closed oriented two-manifold in world coordinates, its outside outwards.
+/// An oriented two-manifold in world coordinates. It is closed, its outside outwards, unless
+/// boundaries are learned from the data and stay open.
 struct Result {
     Mesh mesh;
     Report report;
@@ -23,8 +24,9 @@ struct Result {
 using SnapshotTaker = std::function<void(Mesh snapshot)>;
 
 /// Grows a mesh of exactly parameters.targetVertexCount vertices that learns the sampler's target
-/// space, from the solid that parameters.startMesh names; it has the topology of a sphere. The same
-/// sampler, parameters and seed give the same mesh, bit for bit.
+/// space, from the start that parameters.startMesh names. It has the topology of that start: of a
+/// sphere, or with Topology::learned of the data. The same sampler, parameters and seed give the
+/// same mesh, bit for bit.
 ///
 /// Snapshots are taken at the vertex counts of parameters.snapshots and never touch the result.
 ///

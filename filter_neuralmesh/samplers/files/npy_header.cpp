@@ -89,7 +89,7 @@ private:
         const std::size_t end = text_.find(quote, position_ + 1);
         if ((quote != '\'' && quote != '"') || end == std::string::npos)
             refuseHeader();
-        const std::string content = text_.substr(position_ + 1, end - position_ - 1);
+        std::string content = text_.substr(position_ + 1, end - position_ - 1);
         position_ = end + 1;
         return content;
     }

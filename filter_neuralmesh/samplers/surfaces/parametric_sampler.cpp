@@ -98,10 +98,11 @@ void ParametricSampler::measureCells()
     for (int j = 0; j < cellsAlong; ++j)
         for (int i = 0; i < cellsAlong; ++i) {
             double largest = 0;
-            for (int node = 0; node < 9; ++node)
-                largest =
-                    std::max(largest, densities[static_cast<std::size_t>(
-                                          (2 * j + node / 3) * nodesAlong + 2 * i + node % 3)]);
+            for (int row = 2 * j; row <= 2 * j + 2; ++row)
+                for (int column = 2 * i; column <= 2 * i + 2; ++column)
+                    largest =
+                        std::max(largest, densities[static_cast<std::size_t>(row) * nodesAlong +
+                                                    static_cast<std::size_t>(column)]);
             mostDensity_.push_back(boundOfLargest * largest);
         }
     const double largest = *std::max_element(mostDensity_.begin(), mostDensity_.end());
@@ -114,10 +115,10 @@ vcg::Point3d ParametricSampler::drawPoint(Random &random) const
 {
     for (int tries = 0; tries < mostTries; ++tries) {
         const std::size_t cell = cells_.draw(random);
-        const auto column = static_cast<double>(cell % cellsAlong);
-        const auto row = static_cast<double>(cell / cellsAlong);
-        const double u = between(u_, (column + random.unit()) / cellsAlong);
-        const double v = between(v_, (row + random.unit()) / cellsAlong);
+        const std::size_t column = cell % cellsAlong;
+        const std::size_t row = cell / cellsAlong;
+        const double u = between(u_, (static_cast<double>(column) + random.unit()) / cellsAlong);
+        const double v = between(v_, (static_cast<double>(row) + random.unit()) / cellsAlong);
         if (random.unit() * mostDensity_[cell] < areaDensity(u, v))
             return place(u, v);
     }

@@ -55,7 +55,7 @@ Grown growFrom(const WorldPoints &cloud, const GrowthParameters &parameters, con
 TEST(Shapes, an_angle_has_no_web_between_its_arms)
 {
     const Shape angle({capsule({0, 0, 0}, {3, 0, 0}, 0.1), capsule({0, 0, 0}, {0, 3, 0}, 0.1)});
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
         const WorldPoints points = angle.points(6000, seed);
         GrowthParameters parameters = withTarget(300, seed);
         parameters.surfaceFit = false;
@@ -82,7 +82,7 @@ Shape animal()
 TEST(Shapes, an_animal_has_its_limbs)
 {
     const Shape shape = animal();
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const WorldPoints points = shape.points(20000, seed);
         const Grown grown = growFrom(points, withTarget(1500, seed), shape, points);
         // 0.047 to 0.055 and 0.034 to 0.036; of twelve seeds 0.044 to 0.097 and 0.033 to 0.081. A
@@ -103,7 +103,7 @@ TEST(Shapes, vertices_go_where_the_surface_bends_most)
         bodies.push_back(capsule(direction, direction * 1.15, 0.08));
     }
     const Shape shape(bodies);
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const WorldPoints points = shape.points(20000, seed);
         const Grown grown = growFrom(points, withTarget(1000, seed), shape, points);
         // 0.053 to 0.061; where every signal counts 1, 0.111 to 0.143.
@@ -115,7 +115,7 @@ TEST(Shapes, vertices_go_where_the_surface_bends_most)
 TEST(Shapes, a_sphere_among_outliers_is_as_accurate_as_without)
 {
     const Shape sphere({capsule({0, 0, 0}, {0, 0, 0}, 1)});
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const WorldPoints clean = sphere.points(20000, seed);
         const Grown grown =
             growFrom(test::withOutliers(clean, 0.05, seed), withTarget(1000, seed), sphere, clean);
@@ -128,7 +128,7 @@ TEST(Shapes, a_sphere_among_outliers_is_as_accurate_as_without)
 TEST(Shapes, a_thin_plate_does_not_cross_itself)
 {
     const Shape plate({box({1, 1, 0.05})});
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const WorldPoints points = plate.points(20000, seed);
         const Grown grown = growFrom(points, withTarget(1000, seed), plate, points);
         EXPECT_EQ(grown.report.selfIntersections, 0) << seed; // 868 to 1,029 if left as they are
@@ -140,7 +140,7 @@ TEST(Shapes, a_thin_plate_does_not_cross_itself)
 TEST(Shapes, a_scan_of_one_side_keeps_its_points_on_the_mesh)
 {
     const Shape shape = animal();
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         WorldPoints seen;
         for (const Place &p : shape.points(30000, seed))
             if (p[1] > 0.05)

@@ -48,7 +48,7 @@ TEST(Limbs, samples_within_a_web_do_not_hold_it)
 {
     const Legs legs;
     constexpr Scalar size = 1.5;
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         Scene scene;
         test::addWebbedLegs(scene, legs);
         test::addSamplesOfLegs(scene, legs);
