@@ -2,9 +2,9 @@
 #include "core/mesh/manifold_mesh.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
+#include "core/mesh/face_sides.h"
 #include "core/mesh/ring_topology.h"
 #include "neuralmesh/errors.h"
 
@@ -19,29 +19,6 @@ constexpr std::size_t corner(std::size_t c)
     return c % 3;
 }
 
-/// One face's side of an edge: from corner `c` to the next.
-struct Side {
-    VertexId low, high;
-    FaceId face;
-    bool isRising; ///< runs from low to high
-};
-
-std::vector<Side> sortedSides(const Faces &faces)
-{
-    std::vector<Side> sides;
-    sides.reserve(3 * faces.size());
-    for (FaceId f = 0; f < faces.size(); ++f)
-        for (std::size_t c = 0; c < 3; ++c) {
-            const VertexId a = faces[f][c];
-            const VertexId b = faces[f][corner(c + 1)];
-            sides.push_back({std::min(a, b), std::max(a, b), f, a < b});
-        }
-    std::sort(sides.begin(), sides.end(), [](const Side &x, const Side &y) {
-        return std::tie(x.low, x.high, x.face) < std::tie(y.low, y.high, y.face);
-    });
-    return sides;
-}
-
 void requireProperFaces(const Faces &faces)
 {
     if (faces.empty())
@@ -54,7 +31,7 @@ void requireProperFaces(const Faces &faces)
 }
 
 /// The end of the sides of one edge, which begin at `begin`.
-std::size_t endOfEdge(const std::vector<Side> &sides, std::size_t begin)
+std::size_t endOfEdge(const std::vector<FaceSide> &sides, std::size_t begin)
 {
     std::size_t end = begin + 1;
     while (end < sides.size() && sides[end].low == sides[begin].low &&
@@ -63,7 +40,7 @@ std::size_t endOfEdge(const std::vector<Side> &sides, std::size_t begin)
     return end;
 }
 
-void requireTwoFacesAtEachEdge(const std::vector<Side> &sides, Boundaries boundaries)
+void requireTwoFacesAtEachEdge(const std::vector<FaceSide> &sides, Boundaries boundaries)
 {
     std::size_t open = 0;
     std::size_t crowded = 0;
@@ -84,13 +61,13 @@ class Adjacency {
 public:
     Adjacency(const Faces &faces, Boundaries boundaries) : neighbours_(faces.size())
     {
-        const std::vector<Side> sides = sortedSides(faces);
+        const std::vector<FaceSide> sides = sidesByEdge(faces);
         requireTwoFacesAtEachEdge(sides, boundaries);
         for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
             if (endOfEdge(sides, i) == i + 1)
                 continue; // on a boundary, or seen with the side before
-            const Side &a = sides[i];
-            const Side &b = sides[i + 1];
+            const FaceSide &a = sides[i];
+            const FaceSide &b = sides[i + 1];
             const bool agree = a.isRising != b.isRising;
             neighbours_[a.face].add(b.face, agree);
             neighbours_[b.face].add(a.face, agree);
@@ -181,37 +158,59 @@ void addVertices(NeuralMesh &mesh, const std::vector<Point3> &points, Faces &fac
         }
 }
 
-/// The neighbour that no step leads to, if there is one: v lies on a boundary then.
-VertexId startOfRing(const std::vector<std::pair<VertexId, VertexId>> &steps)
-{
-    for (const auto &step : steps)
-        if (std::none_of(steps.begin(), steps.end(),
-                         [&](const auto &other) { return other.second == step.first; }))
-            return step.first;
-    return steps.front().first;
-}
+/// From a neighbour of a vertex to the next, across a face.
+using Step = std::pair<VertexId, VertexId>;
 
-/// The ring of v from the sides opposite to it in its faces, each from a neighbour to the next.
-void makeRing(NeuralMesh &mesh, VertexId v, std::vector<std::pair<VertexId, VertexId>> &steps)
-{
-    std::sort(steps.begin(), steps.end());
-    const auto from = [&](VertexId at) {
-        const auto step = std::lower_bound(steps.begin(), steps.end(), std::pair(at, VertexId(0)));
-        return step != steps.end() && step->first == at ? step->second : noVertex;
-    };
-    NeighbourRing &ring = mesh.ring(v);
-    const VertexId start = startOfRing(steps);
-    VertexId at = start;
-    do {
-        ring.pushBack(at);
-        at = from(at);
-    } while (at != start && at != noVertex);
-    ring.setOpen(at == noVertex);
-    if (ring.faceCount() != static_cast<int>(steps.size()))
-        throw InvalidStartingMesh(Problem::severalFans);
-    if (!ring.isOpen() && steps.size() < 3)
-        throw InvalidStartingMesh(Problem::doubledFace);
-}
+/// The steps around each vertex, one vertex after the other.
+class Fans {
+public:
+    Fans(const Faces &faces, VertexId vertexCount)
+        : first_(static_cast<std::size_t>(vertexCount) + 1, 0), steps_(3 * faces.size())
+    {
+        for (const Corners &face : faces)
+            for (const VertexId v : face)
+                ++first_[v + 1];
+        for (std::size_t v = 1; v < first_.size(); ++v)
+            first_[v] += first_[v - 1];
+        std::vector<std::size_t> next = first_;
+        for (const Corners &face : faces)
+            for (std::size_t c = 0; c < 3; ++c)
+                steps_[next[face[c]]++] = {face[corner(c + 1)], face[corner(c + 2)]};
+    }
+
+    /// Makes the ring of v, from its neighbour of the lowest id on, or along a boundary.
+    void makeRing(NeuralMesh &mesh, VertexId v)
+    {
+        const auto begin = steps_.begin() + static_cast<std::ptrdiff_t>(first_[v]);
+        const auto end = steps_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]);
+        std::sort(begin, end);
+        const auto from = [&](VertexId at) {
+            const auto step = std::lower_bound(begin, end, Step(at, 0));
+            return step != end && step->first == at ? step->second : noVertex;
+        };
+        // The neighbour that no step leads to, if there is one: v lies on a boundary then.
+        const auto boundary = std::find_if(begin, end, [&](const Step &step) {
+            return std::none_of(begin, end,
+                                [&](const Step &other) { return other.second == step.first; });
+        });
+        const VertexId start = boundary != end ? boundary->first : begin->first;
+        NeighbourRing &ring = mesh.ring(v);
+        VertexId at = start;
+        do {
+            ring.pushBack(at);
+            at = from(at);
+        } while (at != start && at != noVertex);
+        ring.setOpen(at == noVertex);
+        if (ring.faceCount() != end - begin)
+            throw InvalidStartingMesh(Problem::severalFans);
+        if (!ring.isOpen() && end - begin < 3)
+            throw InvalidStartingMesh(Problem::doubledFace);
+    }
+
+private:
+    std::vector<std::size_t> first_; ///< by vertex
+    std::vector<Step> steps_;
+};
 
 } // namespace
 
@@ -222,12 +221,9 @@ void makeManifold(NeuralMesh &mesh, const std::vector<Point3> &points, const Fac
     requireProperFaces(faces);
     orient(points, faces, boundaries);
     addVertices(mesh, points, faces);
-    std::vector<std::vector<std::pair<VertexId, VertexId>>> steps(mesh.idBound());
-    for (const Corners &face : faces)
-        for (std::size_t c = 0; c < 3; ++c)
-            steps[face[c]].emplace_back(face[corner(c + 1)], face[corner(c + 2)]);
+    Fans fans(faces, mesh.idBound());
     for (VertexId v = 0; v < mesh.idBound(); ++v)
-        makeRing(mesh, v, steps[v]);
+        fans.makeRing(mesh, v);
 }
 
 } // namespace neuralmesh

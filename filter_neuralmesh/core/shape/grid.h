@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A function on the nodes of a regular grid over the unit cube.
+// A function on the nodes of a regular grid.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -10,33 +10,40 @@
 
 namespace neuralmesh {
 
-/// Values at (cells + 1)³ nodes; node (x, y, z) lies at (x, y, z) / cells. Single precision, since
-/// the grid only has to tell inside from outside.
+/// Cells along each axis.
+struct GridSize {
+    int x = 0, y = 0, z = 0;
+
+    /// Cells to the unit of length: the longest side is 1 long.
+    int resolution() const { return std::max({x, y, z}); }
+    GridSize doubled() const { return {2 * x, 2 * y, 2 * z}; }
+};
+
+/// Values at (x + 1) (y + 1) (z + 1) nodes of cubic cells; node (x, y, z) lies at (x, y, z) /
+/// resolution. Single precision, since the grid only has to tell inside from outside.
 class Grid {
 public:
     Grid() = default;
-    explicit Grid(int cells, float value = 0)
-        : cells_(cells), nodes_(cells + 1),
-          values_(static_cast<std::size_t>(nodes_) * static_cast<std::size_t>(nodes_) *
-                      static_cast<std::size_t>(nodes_),
+    explicit Grid(const GridSize &cells, float value = 0)
+        : cells_(cells),
+          values_(static_cast<std::size_t>(cells.x + 1) * static_cast<std::size_t>(cells.y + 1) *
+                      static_cast<std::size_t>(cells.z + 1),
                   value)
     {
     }
 
-    int cells() const { return cells_; }
-    int nodesPerAxis() const { return nodes_; }
+    const GridSize &cells() const { return cells_; }
+    int resolution() const { return cells_.resolution(); }
     std::size_t size() const { return values_.size(); }
+    bool isEmpty() const { return values_.empty(); }
 
-    /// Steps between the values of neighbouring nodes.
-    std::ptrdiff_t strideX() const { return static_cast<std::ptrdiff_t>(nodes_) * nodes_; }
-    std::ptrdiff_t strideY() const { return nodes_; }
+    /// Steps between the values of neighbouring nodes; 1 along z.
+    std::ptrdiff_t strideX() const { return strideY() * (cells_.y + 1); }
+    std::ptrdiff_t strideY() const { return cells_.z + 1; }
 
     std::size_t index(int x, int y, int z) const
     {
-        return (static_cast<std::size_t>(x) * static_cast<std::size_t>(nodes_) +
-                static_cast<std::size_t>(y)) *
-                   static_cast<std::size_t>(nodes_) +
-               static_cast<std::size_t>(z);
+        return static_cast<std::size_t>(x * strideX() + y * strideY() + z);
     }
     float operator[](std::size_t i) const { return values_[i]; }
     float &operator[](std::size_t i) { return values_[i]; }
@@ -47,46 +54,17 @@ public:
     void fill(float value) { values_.assign(values_.size(), value); }
 
 private:
-    int cells_ = 0;
-    int nodes_ = 0;
+    GridSize cells_;
     std::vector<float> values_;
 };
 
-/// The eight nodes around a place, and their weights in trilinear interpolation.
-struct TrilinearWeights {
-    std::array<std::uint32_t, 8> nodes;
-    std::array<float, 8> weights;
-};
-
-/// `place` in the unit cube.
-inline TrilinearWeights trilinearWeights(const Grid &grid, const Point3 &place)
+/// Calls visit(row) for each row of inner nodes: the index of its node at z = 0, which is not inner
+/// itself. Inner are z = 1 ... cells().z - 1.
+template <class Visit> void forEachInnerRow(const Grid &grid, const Visit &visit)
 {
-    int cell[3];
-    float fraction[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const double scaled = place[axis] * grid.cells();
-        const int low = static_cast<int>(scaled);
-        cell[axis] = low < 0 ? 0 : low >= grid.cells() ? grid.cells() - 1 : low;
-        fraction[axis] = static_cast<float>(scaled - cell[axis]);
-    }
-    TrilinearWeights w{};
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        const int x = corner & 1U, y = (corner >> 1U) & 1U, z = (corner >> 2U) & 1U;
-        w.nodes[corner] =
-            static_cast<std::uint32_t>(grid.index(cell[0] + x, cell[1] + y, cell[2] + z));
-        w.weights[corner] = (x != 0 ? fraction[0] : 1 - fraction[0]) *
-                            (y != 0 ? fraction[1] : 1 - fraction[1]) *
-                            (z != 0 ? fraction[2] : 1 - fraction[2]);
-    }
-    return w;
-}
-
-inline float interpolate(const Grid &grid, const TrilinearWeights &w)
-{
-    float sum = 0;
-    for (std::size_t i = 0; i < 8; ++i)
-        sum += w.weights[i] * grid[w.nodes[i]];
-    return sum;
+    for (int x = 1; x < grid.cells().x; ++x)
+        for (int y = 1; y < grid.cells().y; ++y)
+            visit(grid.index(x, y, 0));
 }
 
 } // namespace neuralmesh

@@ -2,81 +2,98 @@
 #include "core/shape/grid_filters.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace neuralmesh {
 namespace {
 
-/// Along z, within a row.
-void smoothRow(float *row, int last)
+/// Rows of nodes along z, `count` long. `before` are the old values of the row before this one; the
+/// old values of this one take their place.
+void smoothRow(float *__restrict row, const float *__restrict after, float *__restrict before,
+               int count)
 {
-    float before = row[0];
-    for (int z = 1; z < last; ++z) {
+    for (int z = 0; z < count; ++z) {
         const float here = row[z];
-        row[z] = 0.25F * (before + row[z + 1]) + 0.5F * here;
-        before = here;
+        row[z] = 0.25F * (before[z] + after[z]) + 0.5F * here;
+        before[z] = here;
     }
 }
 
-/// Along x or y, a row at a time: `row(i)` is the i-th of those that follow each other.
-template <class Row>
-void smoothAcross(Row row, std::ptrdiff_t stride, int last, std::vector<float> &before)
+/// `row` has a node before the first and one after the last.
+void smoothAlong(float *__restrict row, float *__restrict old, int count)
 {
-    std::fill(before.begin(), before.end(), 0.0F);
-    for (int i = 1; i < last; ++i) {
-        float *values = row(i);
-        float *old = before.data();
-        for (int z = 1; z < last; ++z) {
-            const float here = values[z];
-            values[z] = 0.25F * (old[z] + values[z + stride]) + 0.5F * here;
-            old[z] = here;
-        }
-    }
+    std::copy(row - 1, row + count + 1, old);
+    for (int z = 0; z < count; ++z)
+        row[z] = 0.25F * (old[z] + old[z + 2]) + 0.5F * old[z + 1];
+}
+
+/// `first` is the first of `rows` rows that follow each other by `stride`.
+void smoothAcross(float *first, std::ptrdiff_t stride, int rows, float *before, int count)
+{
+    std::copy(first - stride, first - stride + count, before);
+    for (int i = 0; i < rows; ++i)
+        smoothRow(first + i * stride, first + (i + 1) * stride, before, count);
 }
 
 } // namespace
 
-void smooth(Grid &grid, int times)
+NodeBox innerNodes(const Grid &grid)
 {
-    const int last = grid.cells();
-    std::vector<float> before(static_cast<std::size_t>(last));
+    const GridSize &cells = grid.cells();
+    return {{1, 1, 1}, {cells.x - 1, cells.y - 1, cells.z - 1}};
+}
+
+void smooth(Grid &grid, const NodeBox &box, int times)
+{
+    const auto &[low, high] = box;
+    const int count = high[2] - low[2] + 1;
+    std::vector<float> scratch(static_cast<std::size_t>(count) + 2);
     for (int pass = 0; pass < times; ++pass) {
-        for (int x = 1; x < last; ++x)
-            for (int y = 1; y < last; ++y)
-                smoothRow(grid.data() + grid.index(x, y, 0), last);
-        for (int x = 1; x < last; ++x)
-            smoothAcross([&](int y) { return grid.data() + grid.index(x, y, 0); }, grid.strideY(),
-                         last, before);
-        for (int y = 1; y < last; ++y)
-            smoothAcross([&](int x) { return grid.data() + grid.index(x, y, 0); }, grid.strideX(),
-                         last, before);
+        for (int x = low[0]; x <= high[0]; ++x) {
+            for (int y = low[1]; y <= high[1]; ++y)
+                smoothAlong(grid.data() + grid.index(x, y, low[2]), scratch.data(), count);
+            smoothAcross(grid.data() + grid.index(x, low[1], low[2]), grid.strideY(),
+                         high[1] - low[1] + 1, scratch.data(), count);
+        }
+        for (int y = low[1]; y <= high[1]; ++y)
+            smoothAcross(grid.data() + grid.index(low[0], y, low[2]), grid.strideX(),
+                         high[0] - low[0] + 1, scratch.data(), count);
     }
 }
 
 Grid doubled(const Grid &coarse)
 {
-    Grid fine(2 * coarse.cells());
-    const int last = fine.cells();
-    for (int x = 0; x <= last; ++x)
-        for (int y = 0; y <= last; ++y)
-            for (int z = 0; z <= last; ++z) {
-                const int x0 = x / 2, y0 = y / 2, z0 = z / 2;
-                const int x1 = (x + 1) / 2, y1 = (y + 1) / 2, z1 = (z + 1) / 2;
-                fine.at(x, y, z) =
-                    (coarse.at(x0, y0, z0) + coarse.at(x0, y0, z1) + coarse.at(x0, y1, z0) +
-                     coarse.at(x0, y1, z1) + coarse.at(x1, y0, z0) + coarse.at(x1, y0, z1) +
-                     coarse.at(x1, y1, z0) + coarse.at(x1, y1, z1)) /
-                    8;
+    Grid fine(coarse.cells().doubled());
+    const std::ptrdiff_t sx = coarse.strideX();
+    const std::ptrdiff_t sy = coarse.strideY();
+    const int columns = coarse.cells().z;
+    std::vector<float> mean(static_cast<std::size_t>(columns) + 1);
+    for (int x = 0; x <= fine.cells().x; ++x)
+        for (int y = 0; y <= fine.cells().y; ++y) {
+            const float *low = coarse.data() + coarse.index(x / 2, y / 2, 0);
+            const std::ptrdiff_t dx = (x & 1) != 0 ? sx : 0;
+            const std::ptrdiff_t dy = (y & 1) != 0 ? sy : 0;
+            for (int z = 0; z <= columns; ++z)
+                mean[static_cast<std::size_t>(z)] =
+                    0.25F * (low[z] + low[z + dx] + low[z + dy] + low[z + dx + dy]);
+            float *row = fine.data() + fine.index(x, y, 0);
+            for (int z = 0; z < columns; ++z) {
+                const float *here = mean.data() + z;
+                row[2 * z] = here[0];
+                row[2 * z + 1] = 0.5F * (here[0] + here[1]);
             }
+            row[2 * columns] = mean.back();
+        }
     return fine;
 }
 
 Grid halvedSums(const Grid &fine)
 {
-    Grid coarse(fine.cells() / 2);
-    const int last = fine.cells();
-    for (int x = 0; x <= last; ++x)
-        for (int y = 0; y <= last; ++y)
-            for (int z = 0; z <= last; ++z)
+    const GridSize &cells = fine.cells();
+    Grid coarse({cells.x / 2, cells.y / 2, cells.z / 2});
+    for (int x = 0; x <= cells.x; ++x)
+        for (int y = 0; y <= cells.y; ++y)
+            for (int z = 0; z <= cells.z; ++z)
                 coarse.at((x + 1) / 2, (y + 1) / 2, (z + 1) / 2) += fine.at(x, y, z);
     return coarse;
 }

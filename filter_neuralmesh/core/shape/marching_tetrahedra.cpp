@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shape/marching_tetrahedra.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -22,42 +23,65 @@ constexpr unsigned paired[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
 
 class Marching {
 public:
-    explicit Marching(const Grid &f) : f_(f)
+    Marching(const Grid &f, float level) : f_(f), level_(level)
     {
-        const auto nodes = static_cast<std::size_t>(f.nodesPerAxis());
-        for (auto &slice : onSlices_)
-            slice.assign(nodes * nodes * 8, noVertex);
+        for (Slice &slice : slices_)
+            slice.vertices.assign(static_cast<std::size_t>(f.strideX()) * 8, noVertex);
+        for (unsigned c = 0; c < 8; ++c)
+            steps_[c] = static_cast<std::ptrdiff_t>(c & 1U) * f.strideX() +
+                        static_cast<std::ptrdiff_t>((c >> 1U) & 1U) * f.strideY() +
+                        static_cast<std::ptrdiff_t>(c >> 2U);
     }
 
-    TriangleSoup run()
+    TriangleSoup run(const std::vector<std::uint32_t> &cells)
     {
-        const int cells = f_.cells();
-        for (int x = 0; x < cells; ++x) {
-            for (int y = 0; y < cells; ++y)
-                for (int z = 0; z < cells; ++z)
-                    marchCell(x, y, z);
-            // What lies on the far side of these cells is the near side of the next.
-            onSlices_[0].swap(onSlices_[1]);
-            onSlices_[1].assign(onSlices_[1].size(), noVertex);
-        }
+        for (const std::uint32_t node : cells)
+            marchCell(node);
         return std::move(soup_);
     }
 
 private:
-    void marchCell(int x, int y, int z)
+    /// Vertices on edges whose lower corner has a certain x.
+    struct Slice {
+        std::vector<VertexId> vertices; ///< by place in the slice and direction
+        std::vector<std::size_t> used;
+
+        void clear()
+        {
+            for (const std::size_t i : used)
+                vertices[i] = noVertex;
+            used.clear();
+        }
+    };
+
+    void marchCell(std::uint32_t node)
     {
         bool hasInside = false;
         bool hasOutside = false;
+        const float *corner = f_.data() + node;
         for (unsigned c = 0; c < 8; ++c) {
-            values_[c] = f_.at(x + static_cast<int>(c & 1U), y + static_cast<int>((c >> 1U) & 1U),
-                               z + static_cast<int>(c >> 2U));
+            values_[c] = corner[steps_[c]] - level_;
             (values_[c] > 0 ? hasInside : hasOutside) = true;
         }
         if (!hasInside || !hasOutside)
             return;
-        cell_ = {x, y, z};
+        const auto i = static_cast<std::ptrdiff_t>(node);
+        place_ = static_cast<std::size_t>(i % f_.strideX());
+        enterSlice(static_cast<int>(i / f_.strideX()));
+        cell_ = {x_, static_cast<int>(i % f_.strideX() / f_.strideY()),
+                 static_cast<int>(i % f_.strideY())};
         for (const Tetrahedron &tetrahedron : tetrahedra)
             marchTetrahedron(tetrahedron.corners);
+    }
+
+    /// What lies on the far side of a slice of cells is the near side of the next.
+    void enterSlice(int x)
+    {
+        for (; x_ < x && !(slices_[0].used.empty() && slices_[1].used.empty()); ++x_) {
+            slices_[0].clear();
+            std::swap(slices_[0], slices_[1]);
+        }
+        x_ = x;
     }
 
     void marchTetrahedron(const std::array<unsigned, 4> &corners)
@@ -96,16 +120,17 @@ private:
     {
         const unsigned low = a & b;
         const unsigned direction = a ^ b;
-        const auto nodes = static_cast<std::size_t>(f_.nodesPerAxis());
-        const auto y = static_cast<std::size_t>(cell_[1]) + ((low >> 1U) & 1U);
-        const auto z = static_cast<std::size_t>(cell_[2]) + (low >> 2U);
-        VertexId &vertex = onSlices_[low & 1U][(y * nodes + z) * 8 + direction];
+        Slice &slice = slices_[low & 1U];
+        const std::size_t i =
+            (place_ + static_cast<std::size_t>(steps_[low & ~1U])) * 8 + direction;
+        VertexId &vertex = slice.vertices[i];
         if (vertex == noVertex) {
+            slice.used.push_back(i);
             vertex = static_cast<VertexId>(soup_.points.size());
             const double share =
                 static_cast<double>(values_[a]) /
                 (static_cast<double>(values_[a]) - static_cast<double>(values_[b]));
-            soup_.points.push_back((corner(a) * (1 - share) + corner(b) * share) / f_.cells());
+            soup_.points.push_back((corner(a) * (1 - share) + corner(b) * share) / f_.resolution());
         }
         return vertex;
     }
@@ -118,18 +143,46 @@ private:
     }
 
     const Grid &f_;
+    float level_;
+    std::array<std::ptrdiff_t, 8> steps_{}; ///< from a cell's lowest node to its corners
     TriangleSoup soup_;
     std::array<int, 3> cell_{};
+    std::size_t place_ = 0; ///< of the cell's lowest node in its slice
     std::array<float, 8> values_{};
-    /// Vertices on edges whose lower corner lies on the near, the far slice of the cells.
-    std::array<std::vector<VertexId>, 2> onSlices_;
+    int x_ = 0;                     ///< of the cell
+    std::array<Slice, 2> slices_{}; ///< the near, the far side of the cell
 };
 
 } // namespace
 
-TriangleSoup marchTetrahedra(const Grid &f)
+std::vector<std::uint32_t> cellsBetween(const Grid &f, float low, float high)
 {
-    return Marching(f).run();
+    const GridSize &size = f.cells();
+    const std::ptrdiff_t sx = f.strideX();
+    const std::ptrdiff_t sy = f.strideY();
+    std::vector<std::uint32_t> cells;
+    std::vector<float> least(static_cast<std::size_t>(size.z) + 1);
+    std::vector<float> most(least.size());
+    for (int x = 0; x < size.x; ++x)
+        for (int y = 0; y < size.y; ++y) {
+            const std::size_t row = f.index(x, y, 0);
+            const float *v = f.data() + row;
+            for (int z = 0; z <= size.z; ++z) {
+                const auto i = static_cast<std::size_t>(z);
+                least[i] = std::min(std::min(v[z], v[z + sy]), std::min(v[z + sx], v[z + sx + sy]));
+                most[i] = std::max(std::max(v[z], v[z + sy]), std::max(v[z + sx], v[z + sx + sy]));
+            }
+            for (std::size_t z = 0; z + 1 < least.size(); ++z)
+                if (std::min(least[z], least[z + 1]) <= high &&
+                    std::max(most[z], most[z + 1]) > low)
+                    cells.push_back(static_cast<std::uint32_t>(row + z));
+        }
+    return cells;
+}
+
+TriangleSoup marchTetrahedra(const Grid &f, float level, const std::vector<std::uint32_t> &cells)
+{
+    return Marching(f, level).run(cells);
 }
 
 } // namespace neuralmesh

@@ -5,40 +5,23 @@
 #include <array>
 #include <utility>
 
+#include "core/mesh/face_sides.h"
 #include "core/mesh/triangle.h"
-#include "core/space/vertex_grid.h"
 
 namespace neuralmesh {
 namespace {
 
-enum class Support : unsigned char { near, notNear, far };
-
 /// By face: the faces across its three sides.
 std::vector<std::array<FaceId, 3>> facesAcross(const TriangleSoup &soup)
 {
-    struct Side {
-        VertexId low, high;
-        FaceId face;
-        unsigned side;
-    };
-    std::vector<Side> sides;
-    sides.reserve(soup.faces.size() * 3);
-    for (FaceId f = 0; f < soup.faces.size(); ++f)
-        for (unsigned c = 0; c < 3; ++c) {
-            const VertexId a = soup.faces[f][c];
-            const VertexId b = soup.faces[f][(c + 1) % 3];
-            sides.push_back({std::min(a, b), std::max(a, b), f, c});
-        }
-    std::sort(sides.begin(), sides.end(), [](const Side &x, const Side &y) {
-        return std::pair(x.low, x.high) < std::pair(y.low, y.high);
-    });
+    const std::vector<FaceSide> sides = sidesByEdge(soup.faces);
     std::vector<std::array<FaceId, 3>> across(soup.faces.size(), {noFace, noFace, noFace});
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-        const Side &a = sides[i];
-        const Side &b = sides[i + 1];
+        const FaceSide &a = sides[i];
+        const FaceSide &b = sides[i + 1];
         if (a.low == b.low && a.high == b.high) {
-            across[a.face][a.side] = b.face;
-            across[b.face][b.side] = a.face;
+            across[a.face][a.corner] = b.face;
+            across[b.face][b.corner] = a.face;
         }
     }
     return across;
@@ -46,20 +29,10 @@ std::vector<std::array<FaceId, 3>> facesAcross(const TriangleSoup &soup)
 
 class Opening {
 public:
-    Opening(const TriangleSoup &soup, const std::vector<Point3> &points, const SupportRadii &radii)
-        : soup_(soup), across_(facesAcross(soup)), stays_(soup.faces.size(), true)
+    Opening(const TriangleSoup &soup, const std::vector<Support> &support)
+        : soup_(soup), across_(facesAcross(soup)), support_(support),
+          stays_(soup.faces.size(), true)
     {
-        VertexGrid grid(Box3({0, 0, 0}, {1, 1, 1}));
-        for (std::size_t i = 0; i < points.size(); ++i)
-            grid.insert(static_cast<VertexId>(i), points[i]);
-        support_.reserve(soup.faces.size());
-        for (const Corners &face : soup.faces) {
-            const Point3 centre =
-                (soup.points[face[0]] + soup.points[face[1]] + soup.points[face[2]]) / 3;
-            support_.push_back(grid.hasWithin(centre, radii.near)  ? Support::near
-                               : grid.hasWithin(centre, radii.far) ? Support::notNear
-                                                                   : Support::far);
-        }
     }
 
     int openMembranes(double leastArea)
@@ -169,16 +142,18 @@ private:
 
     const TriangleSoup &soup_;
     std::vector<std::array<FaceId, 3>> across_;
-    std::vector<Support> support_;
+    const std::vector<Support> &support_;
     std::vector<bool> stays_;
 };
 
 } // namespace
 
-MembraneOpening openMembranes(const TriangleSoup &soup, const std::vector<Point3> &points,
-                              const SupportRadii &radii, double leastArea)
+MembraneOpening openMembranes(const TriangleSoup &soup, const std::vector<Support> &support,
+                              double leastArea)
 {
-    Opening opening(soup, points, radii);
+    if (std::find(support.begin(), support.end(), Support::far) == support.end())
+        return {soup.faces, 0};
+    Opening opening(soup, support);
     MembraneOpening result;
     result.openings = opening.openMembranes(leastArea);
     opening.removePinches();

@@ -4,16 +4,9 @@
 
 #include <vector>
 
-#include "core/shape/marching_tetrahedra.h"
+#include "core/shape/surface_support.h"
 
 namespace neuralmesh {
-
-/// Where a face is far from the points, and from where on it is not near any more. In the unit
-/// cube.
-struct SupportRadii {
-    double near = 0;
-    double far = 0;
-};
 
 struct MembraneOpening {
     std::vector<Corners> faces; ///< that stay
@@ -23,7 +16,7 @@ struct MembraneOpening {
 /// Takes out each membrane: a connected patch of faces that are not near any point, some of them
 /// far, and whose area is at least `leastArea`. What stays is a two-manifold with boundaries: of
 /// faces that would meet in a vertex only, all but the largest fan go too.
-MembraneOpening openMembranes(const TriangleSoup &soup, const std::vector<Point3> &points,
-                              const SupportRadii &radii, double leastArea);
+MembraneOpening openMembranes(const TriangleSoup &soup, const std::vector<Support> &support,
+                              double leastArea);
 
 } // namespace neuralmesh

@@ -20,23 +20,26 @@ OutsideFlood::OutsideFlood(const Grid &inside, const std::vector<Point3> &points
       steps_{inside.strideX(), -inside.strideX(), inside.strideY(), -inside.strideY(), 1, -1},
       states_(inside.size(), State::unseen), outside_(inside.size(), 0)
 {
+    markBorder();
     markCrust(points, reach);
     flood();
     for (std::size_t i = 0; i < states_.size(); ++i)
-        outside_[i] = states_[i] == State::flooded && inside_[i] <= 0 ? 1 : 0;
+        outside_[i] =
+            (states_[i] == State::flooded && inside_[i] <= 0) || states_[i] == State::border;
     judgePockets();
 }
 
 void OutsideFlood::markCrust(const std::vector<Point3> &points, double reach)
 {
-    const int cells = inside_.cells();
+    const GridSize &cells = inside_.cells();
+    const int lasts[3] = {cells.x - 1, cells.y - 1, cells.z - 1};
     for (const Point3 &point : points) {
-        const Point3 centre = point * cells;
+        const Point3 centre = point * inside_.resolution();
         int low[3];
         int high[3];
         for (int axis = 0; axis < 3; ++axis) {
             low[axis] = std::max(1, static_cast<int>(std::ceil(centre[axis] - reach)));
-            high[axis] = std::min(cells - 1, static_cast<int>(std::floor(centre[axis] + reach)));
+            high[axis] = std::min(lasts[axis], static_cast<int>(std::floor(centre[axis] + reach)));
         }
         for (int x = low[0]; x <= high[0]; ++x)
             for (int y = low[1]; y <= high[1]; ++y)
@@ -46,43 +49,54 @@ void OutsideFlood::markCrust(const std::vector<Point3> &points, double reach)
     }
 }
 
-bool OutsideFlood::isInner(std::size_t node) const
+/// The border is a way to everywhere.
+void OutsideFlood::markBorder()
 {
-    const auto nodes = static_cast<std::size_t>(inside_.nodesPerAxis());
-    const std::size_t last = nodes - 1;
-    const std::size_t x = node / nodes / nodes;
-    const std::size_t y = node / nodes % nodes;
-    const std::size_t z = node % nodes;
-    return x > 0 && x < last && y > 0 && y < last && z > 0 && z < last;
+    const GridSize &cells = inside_.cells();
+    states_.assign(states_.size(), State::border);
+    forEachInnerRow(inside_, [&](std::size_t row) {
+        std::fill_n(states_.begin() + static_cast<std::ptrdiff_t>(row) + 1, cells.z - 1,
+                    State::unseen);
+    });
 }
 
-/// The border is a way to everywhere, and flooded from the start.
 void OutsideFlood::flood()
 {
-    for (std::size_t i = 0; i < states_.size(); ++i)
-        if (!isInner(i))
-            states_[i] = State::flooded;
-    const int last = inside_.cells();
-    nodes_.clear();
-    const auto enter = [&](std::size_t i) {
-        if (states_[i] == State::unseen) {
-            states_[i] = State::flooded;
-            nodes_.push_back(i);
+    const GridSize &cells = inside_.cells();
+    const auto last = static_cast<std::size_t>(cells.z - 1);
+    for (int x = 1; x < cells.x; ++x)
+        for (int y = 1; y < cells.y; ++y) {
+            const std::size_t row = inside_.index(x, y, 0);
+            const bool isOutermost = x == 1 || x == cells.x - 1 || y == 1 || y == cells.y - 1;
+            for (std::size_t z = 1; z <= last; z += isOutermost || last == 1 ? 1 : last - 1)
+                nodes_.push_back(row + z);
         }
-    };
-    for (int a = 1; a < last; ++a)
-        for (int b = 1; b < last; ++b)
-            for (const int side : {1, last - 1}) {
-                enter(inside_.index(side, a, b));
-                enter(inside_.index(a, side, b));
-                enter(inside_.index(a, b, side));
-            }
     while (!nodes_.empty()) {
-        const std::size_t i = nodes_.back();
+        const std::size_t seed = nodes_.back();
         nodes_.pop_back();
-        for (const std::ptrdiff_t step : steps_)
-            enter(i + static_cast<std::size_t>(step));
+        if (states_[seed] == State::unseen)
+            floodSpan(seed);
     }
+}
+
+/// Floods along z as far as it goes; `nodes_` receives a node of each span beside it.
+void OutsideFlood::floodSpan(std::size_t seed)
+{
+    std::size_t first = seed;
+    while (states_[first - 1] == State::unseen)
+        --first;
+    std::size_t end = seed + 1;
+    while (states_[end] == State::unseen)
+        ++end;
+    std::fill(states_.begin() + static_cast<std::ptrdiff_t>(first),
+              states_.begin() + static_cast<std::ptrdiff_t>(end), State::flooded);
+    for (const std::ptrdiff_t step : {steps_[0], steps_[1], steps_[2], steps_[3]})
+        for (std::size_t i = first; i < end; ++i) {
+            const std::size_t beside = i + static_cast<std::size_t>(step);
+            if (states_[beside] == State::unseen &&
+                (i == first || states_[beside - 1] != State::unseen))
+                nodes_.push_back(beside);
+        }
 }
 
 double OutsideFlood::doubledShare() const
@@ -98,7 +112,7 @@ double OutsideFlood::doubledShare() const
 void OutsideFlood::judgePockets()
 {
     for (std::size_t i = 0; i < states_.size(); ++i)
-        if (states_[i] == State::flooded && inside_[i] > 0 && isInner(i))
+        if (states_[i] == State::flooded && inside_[i] > 0)
             judgePocket(i);
 }
 
@@ -113,13 +127,11 @@ void OutsideFlood::judgePocket(std::size_t seed)
             const std::size_t j = nodes_[next] + static_cast<std::size_t>(step);
             if (states_[j] == State::crust) {
                 ++sheet;
-            } else if (states_[j] == State::flooded) {
-                if (inside_[j] > 0 && isInner(j)) {
-                    states_[j] = State::judged;
-                    nodes_.push_back(j);
-                } else {
-                    ++membrane;
-                }
+            } else if (states_[j] == State::flooded && inside_[j] > 0) {
+                states_[j] = State::judged;
+                nodes_.push_back(j);
+            } else if (states_[j] != State::judged) {
+                ++membrane;
             }
         }
     if (static_cast<double>(membrane) <= largeMembrane * static_cast<double>(sheet))

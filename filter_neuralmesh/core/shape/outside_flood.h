@@ -17,11 +17,11 @@ namespace neuralmesh {
 /// membrane is large, compared with the sheet that it closes, is outside.
 class OutsideFlood {
 public:
-    /// Points in the unit cube. `reach` is the thickness of the crust to each side, in distances of
-    /// nodes: the flood passes gaps that are wider than twice that.
+    /// Points in the grid's box. `reach` is the thickness of the crust to each side, in cells: the
+    /// flood passes gaps that are wider than twice that.
     OutsideFlood(const Grid &inside, const std::vector<Point3> &points, double reach);
 
-    /// By node: 1 where it is outside.
+    /// By node: 1 where it is outside, as all of the border is.
     const std::vector<unsigned char> &outside() const { return outside_; }
 
     /// Share of the points' surface that would be doubled, since pockets are outside which the
@@ -29,13 +29,14 @@ public:
     double doubledShare() const;
 
 private:
-    enum class State : unsigned char { unseen, crust, flooded, judged };
+    enum class State : unsigned char { unseen, crust, flooded, judged, border };
 
+    void markBorder();
     void markCrust(const std::vector<Point3> &points, double reach);
     void flood();
+    void floodSpan(std::size_t seed);
     void judgePockets();
     void judgePocket(std::size_t seed);
-    bool isInner(std::size_t node) const;
 
     const Grid &inside_;
     std::ptrdiff_t steps_[6];

@@ -6,134 +6,197 @@
 namespace neuralmesh {
 namespace {
 
+/// The coarsest grid has so few cells along its shortest axis, and these sweeps solve it.
 constexpr int coarsestCells = 4;
 constexpr int coarsestSweeps = 16;
-constexpr int sweepsBefore = 1;
-constexpr int sweepsAfter = 1;
 
-using Held = std::vector<unsigned char>;
+/// Weights of two steps of Jacobi's method that damp best, together, what a coarser grid cannot
+/// represent: the eigenvalues of the Laplacian over its diagonal from 1/3 to 2. They are the
+/// inverse roots of Chebyshev's polynomial of degree 2 over that interval.
+constexpr float firstWeight = 1.7318F;
+constexpr float secondWeight = 0.5695F;
 
-/// One half of a red-black sweep: the inner nodes whose coordinates' sum has this parity.
-void relax(Grid &u, const Grid &f, const Held &isHeld, int parity)
+/// One row of a step of Jacobi's method; sx and sy lead to the neighbouring rows.
+void relaxRow(const float *__restrict u, const float *__restrict f, std::ptrdiff_t sx,
+              std::ptrdiff_t sy, int last, float weight, float *__restrict next)
 {
-    const int last = u.cells();
+    const float kept = 1 - weight;
+    const float share = weight / 6;
+    for (int z = 1; z < last; ++z)
+        next[z] = kept * u[z] + share * (f[z] + u[z - sx] + u[z + sx] + u[z - sy] + u[z + sy] +
+                                         u[z - 1] + u[z + 1]);
+}
+
+void residualRow(const float *__restrict u, const float *__restrict f, std::ptrdiff_t sx,
+                 std::ptrdiff_t sy, int last, float *__restrict r)
+{
+    for (int z = 1; z < last; ++z)
+        r[z] =
+            f[z] - 6 * u[z] + u[z - sx] + u[z + sx] + u[z - sy] + u[z + sy] + u[z - 1] + u[z + 1];
+}
+
+void clearHeld(const Grid &isFree, std::size_t row, int last, float *__restrict values)
+{
+    if (isFree.isEmpty())
+        return;
+    const float *__restrict free = isFree.data() + row;
+    for (int z = 1; z < last; ++z)
+        values[z] *= free[z];
+}
+
+void relax(const Grid &u, const Grid &f, const Grid &isFree, float weight, Grid &next)
+{
+    const int last = u.cells().z;
+    forEachInnerRow(u, [&](std::size_t row) {
+        relaxRow(u.data() + row, f.data() + row, u.strideX(), u.strideY(), last, weight,
+                 next.data() + row);
+        clearHeld(isFree, row, last, next.data() + row);
+    });
+}
+
+/// Gauss and Seidel's method, for grids that are so small that order costs nothing.
+void sweep(Grid &u, const Grid &f, const Grid &isFree, int times)
+{
     const std::ptrdiff_t sx = u.strideX();
     const std::ptrdiff_t sy = u.strideY();
-    for (int x = 1; x < last; ++x)
-        for (int y = 1; y < last; ++y) {
-            const std::size_t row = u.index(x, y, 0);
+    for (int i = 0; i < times; ++i)
+        forEachInnerRow(u, [&](std::size_t row) {
             float *v = u.data() + row;
             const float *s = f.data() + row;
-            const unsigned char *held = isHeld.empty() ? nullptr : isHeld.data() + row;
-            for (int z = 1 + ((x + y + 1 + parity) & 1); z < last; z += 2) {
-                const float mean =
-                    (v[z - sx] + v[z + sx] + v[z - sy] + v[z + sy] + v[z - 1] + v[z + 1] + s[z]) *
+            for (int z = 1; z < u.cells().z; ++z) {
+                v[z] =
+                    (s[z] + v[z - sx] + v[z + sx] + v[z - sy] + v[z + sy] + v[z - 1] + v[z + 1]) *
                     (1.0F / 6);
-                v[z] = held != nullptr && held[z] != 0 ? 0 : mean;
+                if (!isFree.isEmpty())
+                    v[z] *= isFree[row + static_cast<std::size_t>(z)];
             }
-        }
+        });
 }
 
-void sweep(Grid &u, const Grid &f, const Held &isHeld, int times)
+void computeResidual(const Grid &u, const Grid &f, const Grid &isFree, Grid &r)
 {
-    for (int i = 0; i < times; ++i) {
-        relax(u, f, isHeld, 0);
-        relax(u, f, isHeld, 1);
-    }
+    const int last = u.cells().z;
+    forEachInnerRow(u, [&](std::size_t row) {
+        residualRow(u.data() + row, f.data() + row, u.strideX(), u.strideY(), last, r.data() + row);
+        clearHeld(isFree, row, last, r.data() + row);
+    });
 }
 
-void computeResidual(const Grid &u, const Grid &f, const Held &isHeld, Grid &r)
+/// The weighted mean of a row and the eight around it, by the kernel (1, 2, 1) / 4 along x and y.
+void meanOfRows(const float *centre, std::ptrdiff_t sx, std::ptrdiff_t sy, int last,
+                float *__restrict mean)
 {
-    const int last = u.cells();
-    const std::ptrdiff_t sx = u.strideX();
-    const std::ptrdiff_t sy = u.strideY();
-    for (int x = 1; x < last; ++x)
-        for (int y = 1; y < last; ++y) {
-            const std::size_t row = u.index(x, y, 0);
-            const float *v = u.data() + row;
-            const float *s = f.data() + row;
-            float *d = r.data() + row;
-            for (int z = 1; z < last; ++z)
-                d[z] = s[z] - 6 * v[z] + v[z - sx] + v[z + sx] + v[z - sy] + v[z + sy] + v[z - 1] +
-                       v[z + 1];
-            if (!isHeld.empty())
-                for (int z = 1; z < last; ++z)
-                    d[z] = isHeld[row + static_cast<std::size_t>(z)] != 0 ? 0 : d[z];
-        }
+    for (int z = 0; z <= last; ++z)
+        mean[z] = 0.25F * centre[z] +
+                  0.125F * (centre[z - sx] + centre[z + sx] + centre[z - sy] + centre[z + sy]) +
+                  0.0625F * (centre[z - sx - sy] + centre[z - sx + sy] + centre[z + sx - sy] +
+                             centre[z + sx + sy]);
 }
 
 /// Full weighting, times the squared ratio of the distances of the nodes.
 void restrictTo(const Grid &fine, Grid &coarse)
 {
-    const std::ptrdiff_t sx = fine.strideX();
-    const std::ptrdiff_t sy = fine.strideY();
-    const int last = coarse.cells();
-    constexpr float weights[3] = {0.25F, 0.5F, 0.25F};
-    for (int x = 1; x < last; ++x)
-        for (int y = 1; y < last; ++y)
-            for (int z = 1; z < last; ++z) {
-                const float *centre = fine.data() + fine.index(2 * x, 2 * y, 2 * z);
-                float sum = 0;
-                for (int i = -1; i <= 1; ++i)
-                    for (int j = -1; j <= 1; ++j) {
-                        const float *row = centre + i * sx + j * sy;
-                        sum += weights[i + 1] * weights[j + 1] *
-                               (0.25F * (row[-1] + row[1]) + 0.5F * row[0]);
-                    }
-                coarse.at(x, y, z) = 4 * sum;
-            }
+    const int last = fine.cells().z;
+    std::vector<float> mean(static_cast<std::size_t>(last) + 1);
+    for (int x = 1; x < coarse.cells().x; ++x)
+        for (int y = 1; y < coarse.cells().y; ++y) {
+            meanOfRows(fine.data() + fine.index(2 * x, 2 * y, 0), fine.strideX(), fine.strideY(),
+                       last, mean.data());
+            float *row = coarse.data() + coarse.index(x, y, 0);
+            const float *m = mean.data();
+            for (int z = 1; z < coarse.cells().z; ++z)
+                row[z] = m[2 * z - 1] + 2 * m[2 * z] + m[2 * z + 1];
+        }
 }
 
 /// Adds the coarse correction, interpolated, at the nodes that are not held.
-void addProlonged(const Grid &coarse, const Held &isHeld, Grid &fine)
+void addProlonged(const Grid &coarse, const Grid &isFree, Grid &fine)
 {
-    const int last = fine.cells();
-    const std::ptrdiff_t sx = coarse.strideX();
-    const std::ptrdiff_t sy = coarse.strideY();
-    for (int x = 1; x < last; ++x)
-        for (int y = 1; y < last; ++y) {
+    const int columns = coarse.cells().z;
+    std::vector<float> mean(static_cast<std::size_t>(columns) + 1);
+    std::vector<float> added(static_cast<std::size_t>(fine.cells().z) + 1);
+    for (int x = 1; x < fine.cells().x; ++x)
+        for (int y = 1; y < fine.cells().y; ++y) {
             const float *low = coarse.data() + coarse.index(x / 2, y / 2, 0);
-            const std::ptrdiff_t dx = (x & 1) != 0 ? sx : 0;
-            const std::ptrdiff_t dy = (y & 1) != 0 ? sy : 0;
-            const std::size_t row = fine.index(x, y, 0);
-            const auto mean = [&](int z) {
-                return 0.25F * (low[z] + low[z + dx] + low[z + dy] + low[z + dx + dy]);
-            };
-            float before = mean(0);
-            for (int z = 1; z < last; z += 2) {
-                const float after = mean(z / 2 + 1);
-                const std::size_t odd = row + static_cast<std::size_t>(z);
-                if (isHeld.empty() || isHeld[odd] == 0)
-                    fine[odd] += 0.5F * (before + after);
-                if (z + 1 < last && (isHeld.empty() || isHeld[odd + 1] == 0))
-                    fine[odd + 1] += after;
-                before = after;
+            const std::ptrdiff_t dx = (x & 1) != 0 ? coarse.strideX() : 0;
+            const std::ptrdiff_t dy = (y & 1) != 0 ? coarse.strideY() : 0;
+            float *__restrict m = mean.data();
+            for (int z = 0; z <= columns; ++z)
+                m[z] = 0.25F * (low[z] + low[z + dx] + low[z + dy] + low[z + dx + dy]);
+            float *__restrict a = added.data();
+            for (int z = 0; z < columns; ++z) {
+                a[2 * z] = m[z];
+                a[2 * z + 1] = 0.5F * (m[z] + m[z + 1]);
             }
+            const std::size_t row = fine.index(x, y, 0);
+            clearHeld(isFree, row, fine.cells().z, a);
+            float *__restrict v = fine.data() + row;
+            for (int z = 1; z < fine.cells().z; ++z)
+                v[z] += a[z];
         }
+}
+
+/// Calls visit(coarse index) for the nodes of the coarse grid around a node of the fine one, the
+/// highest last.
+template <class Visit>
+void forEachParent(const Grid &coarse, int x, int y, int z, const Visit &visit)
+{
+    for (int i = x / 2; i <= (x + 1) / 2; ++i)
+        for (int j = y / 2; j <= (y + 1) / 2; ++j)
+            for (int k = z / 2; k <= (z + 1) / 2; ++k)
+                visit(coarse.index(i, j, k));
+}
+
+/// A coarse node is held where its fine node is. Held fine nodes around which no coarse node is,
+/// such as those of a thin wall between two of its planes, hold one too: a coarse grid that does
+/// not feel a wall corrects across it, by more than the error, and the cycles diverge.
+void holdCoarser(const Grid &fine, Grid &coarse)
+{
+    const auto forEachNode = [](const Grid &grid, const auto &visit) {
+        for (int x = 0; x <= grid.cells().x; ++x)
+            for (int y = 0; y <= grid.cells().y; ++y)
+                for (int z = 0; z <= grid.cells().z; ++z)
+                    visit(x, y, z);
+    };
+    forEachNode(coarse,
+                [&](int x, int y, int z) { coarse.at(x, y, z) = fine.at(2 * x, 2 * y, 2 * z); });
+    forEachNode(fine, [&](int x, int y, int z) {
+        if (fine.at(x, y, z) != 0)
+            return;
+        bool isFelt = false;
+        std::size_t highest = 0;
+        forEachParent(coarse, x, y, z, [&](std::size_t parent) {
+            isFelt = isFelt || coarse[parent] == 0;
+            highest = parent;
+        });
+        if (!isFelt)
+            coarse[highest] = 0;
+    });
 }
 
 } // namespace
 
-PoissonMultigrid::PoissonMultigrid(int cells)
+PoissonMultigrid::PoissonMultigrid(const GridSize &cells)
 {
-    for (int n = cells; n >= coarsestCells; n /= 2)
-        levels_.push_back({Grid(n), Grid(n), Grid(n), {}});
+    GridSize size = cells;
+    const auto canHalve = [](int n) { return n % 2 == 0 && n > coarsestCells; };
+    while (true) {
+        levels_.push_back({Grid(size), Grid(size), Grid(size), {}});
+        if (!canHalve(size.x) || !canHalve(size.y) || !canHalve(size.z))
+            break;
+        size = {size.x / 2, size.y / 2, size.z / 2};
+    }
 }
 
 void PoissonMultigrid::hold(const std::vector<unsigned char> &isHeld)
 {
-    levels_.front().isHeld = isHeld;
-    for (std::size_t level = 1; level < levels_.size(); ++level) {
-        const Grid &fine = levels_[level - 1].residual;
-        const Held &above = levels_[level - 1].isHeld;
-        Level &below = levels_[level];
-        below.isHeld.assign(below.residual.size(), 0);
-        for (int x = 0; x <= below.residual.cells(); ++x)
-            for (int y = 0; y <= below.residual.cells(); ++y)
-                for (int z = 0; z <= below.residual.cells(); ++z)
-                    below.isHeld[below.residual.index(x, y, z)] =
-                        above[fine.index(2 * x, 2 * y, 2 * z)];
-    }
+    for (Level &level : levels_)
+        level.isFree = Grid(level.source.cells());
+    Grid &finest = levels_.front().isFree;
+    for (std::size_t i = 0; i < isHeld.size(); ++i)
+        finest[i] = isHeld[i] != 0 ? 0 : 1;
+    for (std::size_t level = 1; level < levels_.size(); ++level)
+        holdCoarser(levels_[level - 1].isFree, levels_[level].isFree);
 }
 
 void PoissonMultigrid::solve(Grid &u, const Grid &f, int cycles) const
@@ -144,17 +207,20 @@ void PoissonMultigrid::solve(Grid &u, const Grid &f, int cycles) const
 
 void PoissonMultigrid::cycle(Grid &u, const Grid &f, std::size_t level) const
 {
-    const Held &isHeld = levels_[level].isHeld;
+    const Grid &isFree = levels_[level].isFree;
     if (level + 1 == levels_.size())
-        return sweep(u, f, isHeld, coarsestSweeps);
-    sweep(u, f, isHeld, sweepsBefore);
-    computeResidual(u, f, isHeld, levels_[level].residual);
+        return sweep(u, f, isFree, coarsestSweeps);
+    Grid &scratch = levels_[level].residual;
+    relax(u, f, isFree, firstWeight, scratch);
+    relax(scratch, f, isFree, secondWeight, u);
+    computeResidual(u, f, isFree, scratch);
     Level &below = levels_[level + 1];
-    restrictTo(levels_[level].residual, below.source);
+    restrictTo(scratch, below.source);
     below.correction.fill(0);
     cycle(below.correction, below.source, level + 1);
-    addProlonged(below.correction, isHeld, u);
-    sweep(u, f, isHeld, sweepsAfter);
+    addProlonged(below.correction, isFree, u);
+    relax(u, f, isFree, secondWeight, scratch);
+    relax(scratch, f, isFree, firstWeight, u);
 }
 
 } // namespace neuralmesh

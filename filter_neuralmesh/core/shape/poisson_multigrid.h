@@ -9,17 +9,20 @@
 namespace neuralmesh {
 
 /// Solves the seven-point discretisation of -Δu = f, with the nodes' distance as the unit of
-/// length and u = 0 at the border of the grid and at nodes that are held. V-cycles of red-black
-/// Gauss-Seidel (Brandt 1977), linear in the number of nodes.
+/// length and u = 0 at the border of the grid and at nodes that are held. V-cycles (Brandt 1977)
+/// whose smoother is two steps of Jacobi's method with Chebyshev's weights, since all nodes of a
+/// step are independent. Linear in the number of nodes.
 class PoissonMultigrid {
 public:
-    /// `cells` must be a power of two.
-    explicit PoissonMultigrid(int cells);
+    /// Coarser grids follow as long as the cells along each axis can be halved.
+    explicit PoissonMultigrid(const GridSize &cells);
 
     /// Holds u at 0 where `isHeld` is not 0, beside the border. By node, as in Grid.
     void hold(const std::vector<unsigned char> &isHeld);
 
-    /// Improves `u` by V-cycles. Each leaves about a tenth of the error.
+    /// Improves `u`, which must be 0 where it is held, by V-cycles. Each leaves a fifth of the
+    /// error; up to two thirds around held walls, lines and nodes that no coarser grid has nodes
+    /// on.
     void solve(Grid &u, const Grid &f, int cycles) const;
 
 private:
@@ -27,12 +30,12 @@ private:
         Grid correction;
         Grid source;
         Grid residual;
-        std::vector<unsigned char> isHeld; ///< empty where none is
+        Grid isFree; ///< 0 where a node is held, else 1; empty where none is
     };
 
     void cycle(Grid &u, const Grid &f, std::size_t level) const;
 
-    mutable std::vector<Level> levels_; ///< finest first; scratch of solve() but for isHeld
+    mutable std::vector<Level> levels_; ///< finest first; scratch of solve() but for isFree
 };
 
 } // namespace neuralmesh

@@ -2,6 +2,7 @@
 #include "core/shape/quadric_decimation.h"
 
 #include <array>
+#include <cmath>
 #include <queue>
 #include <vector>
 
@@ -18,6 +19,10 @@ constexpr double lengthWeight = 1e-3;
 
 /// Cosine between a face's normals before and after a collapse, at the least.
 constexpr double leastTurn = 0.2;
+
+/// Edges up to this share of those of a mesh of the vertices asked for are collapsed before any
+/// error is weighed: they are too short to matter, and most of a level set's.
+constexpr double shortEdge = 0.25;
 
 /// Sum of squared distances to planes, each weighted by its face's area.
 struct Quadric {
@@ -48,6 +53,24 @@ struct Quadric {
     }
 };
 
+/// Whether a face of v that u is not a corner of would turn if v moved.
+bool turnsFace(const NeuralMesh &mesh, VertexId v, VertexId u, const Point3 &place)
+{
+    const Point3 &before = mesh.position(v);
+    bool turns = false;
+    forEachFaceAround(mesh, v, [&](VertexId a, VertexId b) {
+        if (a == u || b == u)
+            return;
+        const Point3 &p = mesh.position(a);
+        const Point3 side = mesh.position(b) - p;
+        const Point3 old = side ^ (before - p);
+        const Point3 now = side ^ (place - p);
+        turns =
+            turns || (old * now <= leastTurn * old.Norm() * now.Norm() && old.SquaredNorm() > 0);
+    });
+    return turns;
+}
+
 class Decimation {
 public:
     explicit Decimation(NeuralMesh &mesh)
@@ -72,7 +95,8 @@ public:
                 !mesh_.isLive(edge.u) || !canCollapse(mesh_, edge.v, edge.u))
                 continue;
             const Point3 place = bestPlace(edge.v, edge.u);
-            if (!turnsFace(edge.v, edge.u, place) && !turnsFace(edge.u, edge.v, place))
+            if (!turnsFace(mesh_, edge.v, edge.u, place) &&
+                !turnsFace(mesh_, edge.u, edge.v, place))
                 remove(edge.v, edge.u, place);
         }
     }
@@ -135,24 +159,6 @@ private:
                      stamps_[v] + stamps_[u]});
     }
 
-    /// Whether a face of v that u is not a corner of would turn if v moved.
-    bool turnsFace(VertexId v, VertexId u, const Point3 &place) const
-    {
-        const Point3 &before = mesh_.position(v);
-        bool turns = false;
-        forEachFaceAround(mesh_, v, [&](VertexId a, VertexId b) {
-            if (a == u || b == u)
-                return;
-            const Point3 &p = mesh_.position(a);
-            const Point3 side = mesh_.position(b) - p;
-            const Point3 old = side ^ (before - p);
-            const Point3 now = side ^ (place - p);
-            turns = turns ||
-                    (old * now <= leastTurn * old.Norm() * now.Norm() && old.SquaredNorm() > 0);
-        });
-        return turns;
-    }
-
     void remove(VertexId v, VertexId u, const Point3 &place)
     {
         collapse(mesh_, v, u);
@@ -169,10 +175,48 @@ private:
     std::priority_queue<Edge> edges_;
 };
 
+/// Of triangles that are equilateral and equal.
+double usualEdge(const NeuralMesh &mesh, int vertices)
+{
+    double doubleArea = 0;
+    forEachFace(mesh, [&](VertexId v, VertexId a, VertexId b) {
+        const Point3 &p = mesh.position(v);
+        doubleArea += ((mesh.position(a) - p) ^ (mesh.position(b) - p)).Norm();
+    });
+    return std::sqrt(doubleArea / (std::sqrt(3.0) * vertices));
+}
+
+/// Collapses each vertex into its nearest neighbour, where that is nearer than `length`.
+void collapseShortEdges(NeuralMesh &mesh, double length, int vertices)
+{
+    for (VertexId v = 0; v < mesh.idBound() && mesh.vn > vertices; ++v) {
+        if (!mesh.isLive(v))
+            continue;
+        VertexId nearest = noVertex;
+        double least = length * length;
+        for (const VertexId u : mesh.ring(v)) {
+            const double squared = (mesh.position(u) - mesh.position(v)).SquaredNorm();
+            if (squared < least) {
+                least = squared;
+                nearest = u;
+            }
+        }
+        if (nearest != noVertex && canCollapse(mesh, v, nearest) &&
+            !turnsFace(mesh, v, nearest, mesh.position(nearest)))
+            collapse(mesh, v, nearest);
+    }
+}
+
 } // namespace
 
 void decimate(NeuralMesh &mesh, int vertices)
 {
+    const double length = shortEdge * usualEdge(mesh, vertices);
+    int before = 0;
+    do {
+        before = mesh.vn;
+        collapseShortEdges(mesh, length, vertices);
+    } while (mesh.vn < before * 0.9);
     Decimation(mesh).run(vertices);
 }
 

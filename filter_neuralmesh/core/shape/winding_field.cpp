@@ -2,32 +2,29 @@
 #include "core/shape/winding_field.h"
 
 #include <algorithm>
-#include <unordered_set>
 
-#include "core/shape/grid_filters.h"
 #include "core/space/point_statistics.h"
 
 namespace neuralmesh {
 namespace {
 
-/// V-cycles of each solution: what one leaves, the next round corrects.
-constexpr int cyclesPerSolution = 2;
+/// V-cycles of each solution: what it leaves, the next round corrects.
+constexpr int cyclesPerSolution = 1;
+
+/// Points that the first grid takes: several for each of its cells that a surface passes.
+constexpr std::size_t pointsOfFirstGrid = 4000;
 
 /// Halvings of the grid over which the level of the points is spread, and the weight of what is
 /// known further away, in points.
 constexpr int levelHalvings = 2;
 constexpr float weightOfFurther = 0.05F;
-
-void splat(Grid &grid, const TrilinearWeights &w, float value)
-{
-    for (std::size_t i = 0; i < 8; ++i)
-        grid[w.nodes[i]] += w.weights[i] * value;
-}
+constexpr int levelSmoothings = 2;
 
 } // namespace
 
-WindingField::WindingField(const std::vector<Point3> &points, int cells)
-    : points_(points), solver_(cells), field_(cells)
+WindingField::WindingField(const std::vector<Point3> &points, const GridSize &cells)
+    : points_(points), step_((points.size() - 1) / pointsOfFirstGrid + 1), solver_(cells),
+      field_(cells)
 {
     locate();
     leanToThinnestAxis();
@@ -35,71 +32,81 @@ WindingField::WindingField(const std::vector<Point3> &points, int cells)
 
 void WindingField::locate()
 {
-    for (Grid *grid : {&source_, &change_, &x_, &y_, &z_})
-        *grid = Grid(field_.cells());
+    source_ = Grid(field_.cells());
+    change_ = Grid(field_.cells());
     places_.clear();
-    places_.reserve(points_.size());
-    for (const Point3 &p : points_)
-        places_.push_back(trilinearWeights(field_, p));
+    around_ = {{field_.cells().x, field_.cells().y, field_.cells().z}, {0, 0, 0}};
+    for (std::size_t i = 0; i < points_.size(); i += step_) {
+        places_.push_back(placeInGrid(field_, points_[i]));
+        for (int axis = 0; axis < 3; ++axis) {
+            const int cell = static_cast<int>(points_[i][axis] * field_.resolution());
+            around_.low[axis] = std::min(around_.low[axis], cell);
+            around_.high[axis] = std::max(around_.high[axis], cell + 1);
+        }
+    }
 }
 
-/// A sheet has two sides that are alike, and descent alone would choose one here and the other
-/// there. So all normals start in one direction, as long as the area that each point stands for; a
-/// closed surface forgets it.
+/// Starts from the normals of a flat sheet. Its two sides are alike, and descent alone would choose
+/// one here and the other there; a closed surface forgets them.
 void WindingField::leanToThinnestAxis()
 {
-    std::unordered_set<std::uint32_t> cells;
-    for (const TrilinearWeights &place : places_)
-        cells.insert(place.nodes[0]);
     const PrincipalAxes frame = principalAxes(points_);
-    const float length = static_cast<float>(cells.size()) / static_cast<float>(points_.size());
-    const Vector lean(static_cast<float>(frame.axes(0, 0)), static_cast<float>(frame.axes(1, 0)),
+    const Vector axis(static_cast<float>(frame.axes(0, 0)), static_cast<float>(frame.axes(1, 0)),
                       static_cast<float>(frame.axes(2, 0)));
-    normals_.assign(points_.size(), lean * length);
+    std::vector<std::uint32_t> nodes;
+    for (const GridPlace &place : places_)
+        nodes.push_back(place.node);
+    std::sort(nodes.begin(), nodes.end());
+    const auto cells = std::unique(nodes.begin(), nodes.end()) - nodes.begin();
+    const float area = static_cast<float>(cells) / static_cast<float>(places_.size());
+    normals_.assign(places_.size(), axis * area);
 }
 
 void WindingField::refine()
 {
     field_ = doubled(field_);
     solver_ = PoissonMultigrid(field_.cells());
+    const std::size_t formerStep = step_;
+    step_ = (step_ - 1) / 4 + 1; // as many for an area in squares of a cell
     locate();
-    for (Vector &normal : normals_)
-        normal *= 4; // areas are in squares of a cell
+    const std::vector<Vector> former = std::move(normals_);
+    double sum = 0;
+    for (const Vector &normal : former)
+        sum += static_cast<double>(normal.Norm());
+    // Areas are in squares of a cell, and the points share them.
+    const double share =
+        4 * static_cast<double>(former.size()) / static_cast<double>(places_.size());
+    const auto usual = static_cast<float>(share * sum / static_cast<double>(former.size()));
+    normals_.clear();
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const std::size_t point = i * step_;
+        if (point % formerStep == 0)
+            normals_.push_back(former[point / formerStep] * static_cast<float>(share));
+        else
+            normals_.push_back(gradientAt(field_, places_[i]).Normalize() * -usual);
+    }
+}
+
+/// The inner nodes up to so many cells from the cells of points.
+NodeBox WindingField::nodesAround(int distance) const
+{
+    NodeBox box = innerNodes(field_);
+    for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = std::max(box.low[axis], around_.low[axis] - distance);
+        box.high[axis] = std::min(box.high[axis], around_.high[axis] + distance);
+    }
+    return box;
 }
 
 void WindingField::improve(int smoothings)
 {
-    setSource(normals_, smoothings);
+    source_.fill(0);
+    for (std::size_t i = 0; i < places_.size(); ++i)
+        splatDivergence(source_, places_[i], normals_[i]);
+    smooth(source_, nodesAround(smoothings + 1), smoothings);
     solver_.solve(field_, source_, cyclesPerSolution);
     descend(smoothings);
     turnNormals();
-}
-
-/// source_ := the divergence of the normals, spread.
-void WindingField::setSource(const std::vector<Vector> &normals, int smoothings)
-{
-    for (Grid *grid : {&x_, &y_, &z_})
-        grid->fill(0);
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-        splat(x_, places_[i], normals[i].X());
-        splat(y_, places_[i], normals[i].Y());
-        splat(z_, places_[i], normals[i].Z());
-    }
-    const int last = source_.cells();
-    const std::ptrdiff_t sx = source_.strideX();
-    const std::ptrdiff_t sy = source_.strideY();
-    for (int x = 1; x < last; ++x)
-        for (int y = 1; y < last; ++y) {
-            const std::size_t row = source_.index(x, y, 0);
-            const float *vx = x_.data() + row;
-            const float *vy = y_.data() + row;
-            const float *vz = z_.data() + row;
-            float *s = source_.data() + row;
-            for (int z = 1; z < last; ++z)
-                s[z] = 0.5F *
-                       (vx[z + sx] - vx[z - sx] + vy[z + sy] - vy[z - sy] + vz[z + 1] - vz[z - 1]);
-        }
-    smooth(source_, smoothings);
 }
 
 /// From normals to values at the points leads a linear map A: spread the divergence, solve,
@@ -107,21 +114,24 @@ void WindingField::setSource(const std::vector<Vector> &normals, int smoothings)
 void WindingField::descend(int smoothings)
 {
     source_.fill(0);
-    for (const TrilinearWeights &place : places_)
+    for (const GridPlace &place : places_)
         splat(source_, place, 0.5F - interpolate(field_, place));
     change_.fill(0);
     solver_.solve(change_, source_, cyclesPerSolution);
-    smooth(change_, smoothings);
+    smooth(change_, nodesAround(smoothings + 1), smoothings);
     descent_.clear();
-    for (const TrilinearWeights &place : places_)
+    for (const GridPlace &place : places_)
         descent_.push_back(gradientAt(change_, place) * -1);
 
-    setSource(descent_, smoothings);
+    source_.fill(0);
+    for (std::size_t i = 0; i < places_.size(); ++i)
+        splatDivergence(source_, places_[i], descent_[i]);
+    smooth(source_, nodesAround(smoothings + 1), smoothings);
     change_.fill(0);
     solver_.solve(change_, source_, cyclesPerSolution);
     double along = 0;
     double squared = 0;
-    for (const TrilinearWeights &place : places_) {
+    for (const GridPlace &place : places_) {
         const auto value = static_cast<double>(interpolate(change_, place));
         along += value * (0.5 - static_cast<double>(interpolate(field_, place)));
         squared += value * value;
@@ -129,30 +139,19 @@ void WindingField::descend(int smoothings)
     const float step = squared > 0 ? static_cast<float>(along / squared) : 0;
     for (std::size_t i = 0; i < field_.size(); ++i)
         field_[i] += step * change_[i];
-    for (std::size_t i = 0; i < normals_.size(); ++i)
+    for (std::size_t i = 0; i < places_.size(); ++i)
         normals_[i] += descent_[i] * step;
 }
 
 /// Half-way, since normals that follow the gradient all the way swing from round to round.
 void WindingField::turnNormals()
 {
-    for (std::size_t i = 0; i < normals_.size(); ++i) {
-        const float length = normals_[i].Norm();
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        Vector &normal = normals_[i];
+        const float length = normal.Norm();
         const Vector direction = gradientAt(field_, places_[i]).Normalize() * -1;
-        normals_[i] = (Vector(normals_[i]).Normalize() + direction).Normalize() * length;
+        normal = (Vector(normal).Normalize() + direction).Normalize() * length;
     }
-}
-
-WindingField::Vector WindingField::gradientAt(const Grid &grid, const TrilinearWeights &place) const
-{
-    Vector gradient(0, 0, 0);
-    const std::ptrdiff_t sx = grid.strideX();
-    const std::ptrdiff_t sy = grid.strideY();
-    for (std::size_t i = 0; i < 8; ++i) {
-        const float *v = grid.data() + place.nodes[i];
-        gradient += Vector(v[sx] - v[-sx], v[sy] - v[-sy], v[1] - v[-1]) * (place.weights[i] / 2);
-    }
-    return gradient;
 }
 
 void WindingField::holdOutside(const std::vector<unsigned char> &isOutside)
@@ -167,20 +166,19 @@ Grid WindingField::levelOfPoints() const
 {
     std::vector<Grid> sums{Grid(field_.cells())};
     std::vector<Grid> counts{Grid(field_.cells())};
-    for (const TrilinearWeights &place : places_) {
+    for (const GridPlace &place : places_) {
         splat(sums[0], place, interpolate(field_, place));
         splat(counts[0], place, 1);
     }
-    constexpr int smoothings = 2;
-    smooth(sums[0], smoothings);
-    smooth(counts[0], smoothings);
+    smooth(sums[0], nodesAround(levelSmoothings + 1), levelSmoothings);
+    smooth(counts[0], nodesAround(levelSmoothings + 1), levelSmoothings);
     for (int i = 0; i < levelHalvings; ++i) {
         sums.push_back(halvedSums(sums.back()));
         counts.push_back(halvedSums(counts.back()));
     }
     Grid level(sums.back().cells(), 0.5F);
     for (std::size_t i = sums.size(); i-- > 0;) {
-        if (level.cells() != sums[i].cells())
+        if (level.size() != sums[i].size())
             level = doubled(level);
         for (std::size_t node = 0; node < level.size(); ++node)
             level[node] = (sums[i][node] + weightOfFurther * level[node]) /

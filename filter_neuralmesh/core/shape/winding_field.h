@@ -13,14 +13,17 @@
 #include <vector>
 
 #include "core/shape/grid.h"
+#include "core/shape/grid_filters.h"
+#include "core/shape/grid_place.h"
 #include "core/shape/poisson_multigrid.h"
 
 namespace neuralmesh {
 
 class WindingField {
 public:
-    /// Points in the unit cube, with room to its border. `cells` must be a power of two.
-    WindingField(const std::vector<Point3> &points, int cells);
+    /// Points in the box of a grid of this size, a cell or more from its border. A coarse grid
+    /// takes a few thousand of them, evenly out of their order.
+    WindingField(const std::vector<Point3> &points, const GridSize &cells);
 
     /// Goes over to a grid of twice as many cells.
     void refine();
@@ -37,7 +40,8 @@ public:
 
     /// What the field is at the points nearby, everywhere: the level at which a surface passes
     /// through the points around it, also where the grid is too coarse for the field to rise to
-    /// 1 in a thin limb. Tends to 1/2 some cells away from all points.
+    /// 1 in a thin limb. Tends to 1/2 some cells away from all points. The cells along each axis
+    /// must be multiples of 4.
     Grid levelOfPoints() const;
 
 private:
@@ -45,18 +49,20 @@ private:
 
     void locate();
     void leanToThinnestAxis();
-    void setSource(const std::vector<Vector> &normals, int smoothings);
+    NodeBox nodesAround(int distance) const;
     void descend(int smoothings);
     void turnNormals();
-    Vector gradientAt(const Grid &grid, const TrilinearWeights &place) const;
 
-    std::vector<Point3> points_;
-    std::vector<TrilinearWeights> places_; ///< of the points
-    std::vector<Vector> normals_; ///< outwards, as long as the area that the point stands for
-    std::vector<Vector> descent_; ///< scratch
+    const std::vector<Point3> &points_;
+    std::size_t step_ = 1;          ///< every so many-th point takes part
+    std::vector<GridPlace> places_; ///< of the points that take part
+    std::vector<Vector> normals_;   ///< outwards, as long as the area that the point stands for, in
+                                    ///< squares of a cell
+    std::vector<Vector> descent_;   ///< scratch
     PoissonMultigrid solver_;
     Grid field_;
-    Grid source_, change_, x_, y_, z_; ///< scratch
+    Grid source_, change_; ///< scratch
+    NodeBox around_;       ///< nodes of the points' cells
 };
 
 } // namespace neuralmesh

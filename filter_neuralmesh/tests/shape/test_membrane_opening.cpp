@@ -14,13 +14,13 @@ namespace {
 /// The level set of a ball of radius 0.3 on a grid of 32 cells.
 TriangleSoup ball()
 {
-    Grid f(32);
+    Grid f({32, 32, 32});
     for (int x = 0; x <= 32; ++x)
         for (int y = 0; y <= 32; ++y)
             for (int z = 0; z <= 32; ++z)
                 f.at(x, y, z) =
                     static_cast<float>(0.3 - (Point3(x, y, z) / 32 - Point3(0.5, 0.5, 0.5)).Norm());
-    return marchTetrahedra(f);
+    return marchTetrahedra(f, 0, cellsBetween(f, 0, 0));
 }
 
 /// Its points, but for those higher than that.
@@ -41,12 +41,18 @@ TopologyFigures topologyOf(const TriangleSoup &soup, const std::vector<Corners> 
     return measureTopology(mesh);
 }
 
-constexpr SupportRadii radii{1.0 / 32, 2.0 / 32};
+constexpr SupportRadii usual{1.0 / 32, 2.0 / 32};
+
+MembraneOpening opened(const TriangleSoup &soup, const std::vector<Point3> &points,
+                       double leastArea, const SupportRadii &radii = usual)
+{
+    return openMembranes(soup, measureSupport(soup, points, radii).ofFace, leastArea);
+}
 
 TEST(MembraneOpening, opens_a_ball_where_it_has_no_points)
 {
     const TriangleSoup soup = ball();
-    const MembraneOpening opening = openMembranes(soup, pointsBelow(soup, 0.5), radii, 0.01);
+    const MembraneOpening opening = opened(soup, pointsBelow(soup, 0.5), 0.01);
     EXPECT_EQ(opening.openings, 1);
     const TopologyFigures topology = topologyOf(soup, opening.faces);
     EXPECT_EQ(topology.components, 1);
@@ -57,7 +63,7 @@ TEST(MembraneOpening, opens_a_ball_where_it_has_no_points)
 TEST(MembraneOpening, leaves_what_points_support)
 {
     const TriangleSoup soup = ball();
-    const MembraneOpening opening = openMembranes(soup, soup.points, radii, 0.01);
+    const MembraneOpening opening = opened(soup, soup.points, 0.01);
     EXPECT_EQ(opening.openings, 0);
     EXPECT_EQ(opening.faces.size(), soup.faces.size());
 }
@@ -66,8 +72,8 @@ TEST(MembraneOpening, leaves_a_gap_that_is_smaller_than_the_least_area)
 {
     const TriangleSoup soup = ball();
     const std::vector<Point3> points = pointsBelow(soup, 0.73); // a cap of an area of 0.13
-    EXPECT_EQ(openMembranes(soup, points, radii, 0.2).openings, 0);
-    EXPECT_EQ(openMembranes(soup, points, radii, 0.05).openings, 1);
+    EXPECT_EQ(opened(soup, points, 0.2).openings, 0);
+    EXPECT_EQ(opened(soup, points, 0.05).openings, 1);
 }
 
 TEST(MembraneOpening, leaves_one_fan_of_faces_at_each_vertex)
@@ -79,7 +85,7 @@ TEST(MembraneOpening, leaves_one_fan_of_faces_at_each_vertex)
     for (const Point3 &p : soup.points)
         if (std::abs(p.Z() - 0.5) > 0.15 * std::abs(p.X() - 0.5) + 0.03)
             points.push_back(p);
-    const MembraneOpening opening = openMembranes(soup, points, {0.5 / 32, 1.2 / 32}, 0.0001);
+    const MembraneOpening opening = opened(soup, points, 0.0001, {0.5 / 32, 1.2 / 32});
     EXPECT_GT(opening.openings, 0);
     topologyOf(soup, opening.faces); // throws where several fans meet
 }

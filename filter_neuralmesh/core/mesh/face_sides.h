@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sides of faces in a list, brought together edge by edge.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "core/mesh/face_table.h"
+
+namespace neuralmesh {
+
+/// One face's side of an edge: from a corner to the next.
+struct FaceSide {
+    VertexId low, high; ///< the edge's ends
+    FaceId face;
+    unsigned corner;
+    bool isRising; ///< runs from low to high
+};
+
+/// By low, then high, then face. In linear time where no vertex has many neighbours.
+std::vector<FaceSide> sidesByEdge(const std::vector<Corners> &faces);
+
+} // namespace neuralmesh

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shape/shape_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/shape/grid_place.h"
+
+namespace neuralmesh {
+namespace {
+
+/// The nearest to that of the points first.
+constexpr float levels[ShapeReading::levelCount] = {0, -0.05F, 0.05F, -0.1F, 0.1F};
+constexpr float lowestLevel = -0.1F;
+constexpr float highestLevel = 0.1F;
+
+/// A part of the surface counts where it has at least so many points for its own.
+constexpr double leastPoints = 12;
+
+/// Numbers the connected parts of the soup's vertices; returns how many there are.
+int labelParts(const TriangleSoup &soup, std::vector<int> &label)
+{
+    std::vector<VertexId> parent(soup.points.size());
+    std::iota(parent.begin(), parent.end(), VertexId(0));
+    const auto root = [&](VertexId v) {
+        while (parent[v] != v)
+            v = parent[v] = parent[parent[v]];
+        return v;
+    };
+    for (const Corners &face : soup.faces)
+        for (const VertexId v : {face[1], face[2]})
+            parent[root(v)] = root(face[0]);
+    label.assign(soup.points.size(), -1);
+    int count = 0;
+    for (VertexId v = 0; v < parent.size(); ++v) {
+        int &number = label[root(v)];
+        if (number < 0)
+            number = count++;
+        label[v] = number;
+    }
+    return count;
+}
+
+/// Finds the part of a surface that passes near a point, by the cells that it passes through.
+class PartFinder {
+public:
+    static constexpr int none = -1;
+
+    explicit PartFinder(const Grid &grid) : grid_(grid), partAt_(grid.size(), none) {}
+
+    void setSurface(const TriangleSoup &soup, const std::vector<int> &label)
+    {
+        for (const std::uint32_t cell : passed_)
+            partAt_[cell] = none;
+        passed_.clear();
+        for (std::size_t v = 0; v < soup.points.size(); ++v) {
+            const std::uint32_t cell = placeInGrid(grid_, soup.points[v]).node;
+            if (partAt_[cell] == none)
+                passed_.push_back(cell);
+            partAt_[cell] = label[v];
+        }
+    }
+
+    /// In the cell of the point, else in those around it, ring by ring, up to so many cells away.
+    int near(const Point3 &point, int reach) const
+    {
+        const GridSize &cells = grid_.cells();
+        const auto node = static_cast<std::ptrdiff_t>(placeInGrid(grid_, point).node);
+        const int x = static_cast<int>(node / grid_.strideX());
+        const int y = static_cast<int>(node % grid_.strideX() / grid_.strideY());
+        const int z = static_cast<int>(node % grid_.strideY());
+        for (int ring = 0; ring <= reach; ++ring)
+            for (int i = std::max(0, x - ring); i <= std::min(cells.x - 1, x + ring); ++i)
+                for (int j = std::max(0, y - ring); j <= std::min(cells.y - 1, y + ring); ++j) {
+                    const bool isSide = std::max(std::abs(i - x), std::abs(j - y)) == ring;
+                    for (int k = z - ring; k <= z + ring; k += isSide || ring == 0 ? 1 : 2 * ring)
+                        if (k >= 0 && k < cells.z && partAt_[grid_.index(i, j, k)] != none)
+                            return partAt_[grid_.index(i, j, k)];
+                }
+        return none;
+    }
+
+private:
+    const Grid &grid_;
+    std::vector<int> partAt_; ///< by the lowest node of a cell
+    std::vector<std::uint32_t> passed_;
+};
+
+/// Takes out the parts that hold too few of the points, and counts the others and their handles.
+LevelSurface judge(TriangleSoup soup, const std::vector<Point3> &points, int reach,
+                   PartFinder &finder)
+{
+    LevelSurface surface;
+    std::vector<int> label;
+    const auto parts = static_cast<std::size_t>(labelParts(soup, label));
+    finder.setSurface(soup, label);
+    std::vector<double> held(parts, 0);
+    std::size_t missed = 0;
+    for (const Point3 &p : points) {
+        const int part = finder.near(p, reach);
+        if (part == PartFinder::none)
+            ++missed;
+        else
+            ++held[static_cast<std::size_t>(part)];
+    }
+    surface.missedShare = static_cast<double>(missed) / static_cast<double>(points.size());
+    std::vector<double> corners(parts, 0);
+    std::vector<double> faces(parts, 0);
+    for (const int part : label)
+        ++corners[static_cast<std::size_t>(part)];
+    surface.soup.points = std::move(soup.points);
+    for (const Corners &face : soup.faces) {
+        const auto part = static_cast<std::size_t>(label[face[0]]);
+        ++faces[part];
+        if (held[part] >= leastPoints)
+            surface.soup.faces.push_back(face);
+    }
+    double eulerHalves = 0; // V - E + F = V - F / 2
+    for (std::size_t part = 0; part < parts; ++part)
+        if (held[part] >= leastPoints) {
+            ++surface.components;
+            eulerHalves += corners[part] - faces[part] / 2;
+        }
+    surface.genus = surface.components - static_cast<int>(std::lround(eulerHalves / 2));
+    return surface;
+}
+
+bool isSimpler(const LevelSurface &a, const LevelSurface &b)
+{
+    return a.components + a.genus < b.components + b.genus;
+}
+
+} // namespace
+
+ShapeReading readShape(const Grid &inside, const std::vector<Point3> &points, double far,
+                       int fewestVotes)
+{
+    const std::vector<std::uint32_t> cells = cellsBetween(inside, lowestLevel, highestLevel);
+    PartFinder finder(inside);
+    std::vector<LevelSurface> surfaces;
+    for (const float level : levels)
+        surfaces.push_back(judge(marchTetrahedra(inside, level, cells), points,
+                                 static_cast<int>(std::lround(far)), finder));
+    auto best = surfaces.begin();
+    int votes = 0;
+    for (auto surface = surfaces.begin(); surface != surfaces.end(); ++surface) {
+        const auto agreeing = static_cast<int>(
+            std::count_if(surfaces.begin(), surfaces.end(),
+                          [&](const LevelSurface &other) { return other.hasShapeOf(*surface); }));
+        if (agreeing > votes) {
+            votes = agreeing;
+            best = surface;
+        }
+    }
+    if (votes < fewestVotes)
+        best = std::min_element(surfaces.begin(), surfaces.end(), isSimpler);
+    return {std::move(*best), votes};
+}
+
+} // namespace neuralmesh
