@@ -13,7 +13,8 @@ namespace neuralmesh {
 class DistinctPoints {
 public:
     explicit DistinctPoints(std::size_t expected) { seen_.reserve(expected); }
-    void insert(const Point3 &point) { seen_.insert(point); }
+    /// Whether the place is new.
+    bool insert(const Point3 &point) { return seen_.insert(point).second; }
     std::size_t size() const { return seen_.size(); }
 
 private:

@@ -7,6 +7,7 @@
 #include <vcg/space/index/kdtree/kdtree.h>
 
 #include "core/space/point_statistics.h"
+#include "samplers/points/distinct_points.h"
 
 namespace neuralmesh {
 namespace {
@@ -27,7 +28,7 @@ constexpr double madToDeviation = 1.4826;
 /// one. Nine points at random in space have 0.118 in the median, on a sphere of 400 points 0.003.
 constexpr int surfaceNeighbours = 8;
 constexpr double mostSurfaceVariation = 0.06;
-/// Above this share there are no outliers.
+/// Above this share of the places there are no outliers.
 constexpr double mostOutliers = 0.2;
 
 /// Every n-th point, as many as asked for or all.
@@ -96,9 +97,22 @@ double measureRadius(PilotTree &tree, const std::vector<Point3> &pilot)
     return std::exp(usual + std::max(std::log(leastRatio), deviations * deviation));
 }
 
-/// Whether points that stand alone lie on surfaces all the same, only sparser ones.
-bool lieOnSurfaces(PilotTree &tree, const std::vector<Point3> &alone)
+std::vector<Point3> withoutRepetitions(const std::vector<Point3> &points)
 {
+    std::vector<Point3> distinct;
+    DistinctPoints seen(points.size());
+    for (const Point3 &point : points)
+        if (seen.insert(point))
+            distinct.push_back(point);
+    return distinct;
+}
+
+/// Whether points that stand alone lie on surfaces of their own all the same, only sparser ones.
+bool lieOnSurfaces(const std::vector<Point3> &alone)
+{
+    if (alone.size() <= surfaceNeighbours)
+        return false;
+    PilotTree tree(alone);
     std::vector<double> variations;
     for (const Point3 &point : thinned(alone, measuredPoints))
         variations.push_back(tree.surfaceVariation(point, surfaceNeighbours));
@@ -112,7 +126,8 @@ OutlierFilter::OutlierFilter(const std::vector<Point3> &points, const Box3 &boun
 {
     if (points.size() < leastPoints)
         return;
-    const std::vector<Point3> pilot = thinned(points, pilotPoints);
+    const std::vector<Point3> drawn = thinned(points, pilotPoints);
+    const std::vector<Point3> pilot = withoutRepetitions(drawn);
     for (std::size_t i = 0; i < pilot.size(); ++i)
         pilotGrid_.insert(static_cast<VertexId>(i), pilot[i]);
     PilotTree tree(pilot);
@@ -121,9 +136,16 @@ OutlierFilter::OutlierFilter(const std::vector<Point3> &points, const Box3 &boun
     for (const Point3 &point : pilot)
         if (standsAlone(point))
             alone.push_back(point);
-    const double share = static_cast<double>(alone.size()) / static_cast<double>(pilot.size());
-    if (!alone.empty() && share <= mostOutliers && !lieOnSurfaces(tree, alone))
-        share_ = share;
+        else
+            bounds_.Add(point);
+    bounds_.Offset(radius_);
+    if (alone.empty() ||
+        static_cast<double>(alone.size()) > mostOutliers * static_cast<double>(pilot.size()) ||
+        lieOnSurfaces(alone))
+        return;
+    const auto outliers = std::count_if(drawn.begin(), drawn.end(),
+                                        [&](const Point3 &point) { return standsAlone(point); });
+    share_ = static_cast<double>(outliers) / static_cast<double>(drawn.size());
 }
 
 bool OutlierFilter::standsAlone(const Point3 &point) const

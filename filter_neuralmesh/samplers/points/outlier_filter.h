@@ -13,9 +13,9 @@ namespace neuralmesh {
 /// A point is an outlier where fewer than four pilot points lie within a radius that is several
 /// times the usual distance to the fourth. Where the density of the cloud varies, so does that
 /// distance, and the radius grows with its spread. None is an outlier in a cloud of fewer than
-/// 1,000 points, where more than a fifth of the points would be, or where those that would be lie
+/// 1,000 points, where more than a fifth of the places would be, or where those that would be lie
 /// on surfaces of their own, as a sparsely scanned part does: that is how the cloud is, not dirt in
-/// it.
+/// it. Points at the very same place count as one: invalid returns are often stored as 0 0 0.
 class OutlierFilter {
 public:
     /// Learns from the points, in the unit frame.
@@ -24,8 +24,11 @@ public:
     /// Whether any outlier was found among the pilot points; where not, none is an outlier.
     bool isActive() const { return share_ > 0; }
 
-    /// Share of outliers among the pilot points, in [0, 0.2].
+    /// Share of outliers among the pilot points, each counted however often it is repeated.
     double share() const { return share_; }
+
+    /// Of the pilot points that are no outliers, and as far around as these reach.
+    const Box3 &bounds() const { return bounds_; }
 
     bool isOutlier(const Point3 &point) const { return isActive() && standsAlone(point); }
 
@@ -33,6 +36,7 @@ private:
     bool standsAlone(const Point3 &point) const;
 
     VertexGrid pilotGrid_;
+    Box3 bounds_;
     Scalar radius_ = 0;
     double share_ = 0;
 };

@@ -51,6 +51,36 @@ TEST(OutlierFilter, finds_points_that_stand_alone_and_no_others)
     EXPECT_GE(found, 0.98 * far) << "of " << far;
 }
 
+TEST(OutlierFilter, counts_points_at_one_place_as_one)
+{
+    // Invalid returns of a scanner are stored as 0 0 0, here a third of all.
+    std::vector<Point3> points = test::spherePoints(10000, 1);
+    const Point3 nowhere(0, 0, 0);
+    points.insert(points.end(), 5000, nowhere);
+    const OutlierFilter filter(points, boundsOf(points));
+    ASSERT_TRUE(filter.isActive());
+    EXPECT_TRUE(filter.isOutlier(nowhere));
+    EXPECT_NEAR(filter.share(), 1.0 / 3, 0.01);
+}
+
+TEST(OutlierFilter, leaves_the_frame_to_the_others_however_far_it_is)
+{
+    for (const std::size_t count : {std::size_t(5000), std::size_t(250000)})
+        for (const int zeros : {1, 30}) {
+            test::WorldPoints points = test::spherePoints(count, 1);
+            const vcg::Point3d place(512345.6, 5403707.6, 356.1);
+            for (vcg::Point3d &p : points)
+                p += place;
+            points.insert(points.begin() + 1000, static_cast<std::size_t>(zeros * count / 5000),
+                          vcg::Point3d(0, 0, 0));
+            const PointCloudSampler sampler(points);
+            EXPECT_FALSE(sampler.isFlat());
+            EXPECT_NEAR(sampler.frame().diagonal(), std::sqrt(12), 0.5);
+            for (const vcg::Point3d &p : test::drawWorld(sampler, 1, 10000))
+                EXPECT_NEAR((p - place).Norm(), 1, 1e-6);
+        }
+}
+
 TEST(OutlierFilter, takes_a_sparse_half_for_a_surface)
 {
     // The lower half holds a twenty-fifth of the points: five times the spacing.
