@@ -92,6 +92,13 @@ std::string nameOf(Parameter parameter)
     return {};
 }
 
+FlatTarget::FlatTarget()
+    : InvalidInput(
+          "All points lie on a plane: a closed surface cannot be fitted to them. Learn the "
+          "topology from the data.")
+{
+}
+
 InvalidParameter::InvalidParameter(Parameter parameter, Problem problem, double value, double limit)
     : InvalidInput(sentenceAbout(parameter, problem, value, limit, nameOf)), parameter_(parameter),
       problem_(problem), value_(value), limit_(limit)

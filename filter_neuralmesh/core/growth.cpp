@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/fit/intersection_repair.h"
 #include "core/fit/surface_fit.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/enumeration.h"
@@ -19,7 +20,7 @@
 #include "core/shape/start_from_data.h"
 #include "core/space/morton_order.h"
 #include "core/space/plain_points.h"
-#include "core/topology/hole_filling.h"
+#include "core/topology/sheet_doubling.h"
 #include "core/topology/starting_mesh.h"
 
 namespace neuralmesh {
@@ -79,7 +80,8 @@ public:
         : parameters_(parameters), sampler_(sampler), progress_(progress),
           takeSnapshot_(takeSnapshot), random_(random),
           measuring_(randomStream(parameters.seed, Purpose::measuring)),
-          network_(mesh, toVcg(sampler.bounds()), parameters), order_(sampler.bounds())
+          network_(mesh, toVcg(sampler.bounds()), parameters), sheets_(mesh),
+          order_(sampler.bounds())
     {
     }
 
@@ -102,16 +104,19 @@ public:
         takeSnapshotIfDue();
         if (learnsBoundaries())
             network_.closeHoles(parameters_.maxHoleSize);
+        if (isToBeClosed())
+            sheets_.judge();
         growToTarget();
         consolidate();
         if (learnsBoundaries())
             network_.closeHoles(parameters_.maxHoleSize);
+        settleCount();
         report_.splitCount = network_.verticesAdded();
         report_.collapseCount = network_.verticesRemoved();
         report_.selfIntersections =
             parameters_.surfaceFit ? fit() : network_.findSelfIntersections().faces;
-        if (isToBeClosed() && network_.closeBoundaries() > 0)
-            report_.selfIntersections = network_.findSelfIntersections().faces;
+        if (isToBeClosed() && !isClosed(network_.mesh()))
+            report_.selfIntersections = close();
         const ErrorFigures error =
             measureError(network_, sampler_, measuring_, samplesPerErrorMeasure);
         report_.rmsError = error.rms;
@@ -134,7 +139,13 @@ private:
         return learnsBoundaries() && parameters_.boundaries == BoundaryRule::closed;
     }
 
-    bool isComplete() const { return network_.vertexCount() == parameters_.targetVertexCount; }
+    /// Vertices that the result still lacks; below 0, that it has too many. Sheets that are to be
+    /// doubled count as if they were.
+    int room() const
+    {
+        return parameters_.targetVertexCount - network_.vertexCount() - sheets_.copies();
+    }
+    bool isComplete() const { return room() <= 0; }
 
     void growToTarget()
     {
@@ -223,38 +234,72 @@ private:
 
     void splitMostActive(std::size_t times)
     {
-        for (std::size_t i = 0; i < times; ++i) {
-            if (isComplete())
-                return;
-            network_.splitMostActive();
+        int left = room();
+        for (std::size_t i = 0; i < times && left > 0; ++i) {
+            left -= addVertex(left);
             noteConvergence();
             takeSnapshotIfDue();
         }
     }
 
+    /// Returns how many vertices the result gains, one or two, and no more than there is room for.
+    int addVertex(int room)
+    {
+        const bool isLast = room == 1 && !sheets_.isEmpty();
+        VertexId v = isLast ? network_.splitBoundary(sheets_.vertices()) : noVertex;
+        if (v == noVertex)
+            v = network_.splitMostActive();
+        sheets_.take(v);
+        return 1 + sheets_.copiesOf(v);
+    }
+
+    /// Brings the network to the count of the result, which changes where boundaries do: with holes
+    /// and notches that are filled.
+    void settleCount()
+    {
+        for (int left = room(); left != 0; left = room())
+            if (left > 0)
+                addVertex(left);
+            else if (!network_.removeOne())
+                return;
+    }
+
+    /// Closes all boundaries. Returns how many faces intersect another then.
+    int close()
+    {
+        settleCount();
+        const RimNeighbours rim(network_.mesh());
+        const std::vector<VertexId> sheets = sheets_.vertices();
+        if (!sheets.empty())
+            network_.closeSheets(sheets);
+        network_.closeBoundaries();
+        return repairClosing(network_, rim);
+    }
+
+    /// By how many vertices a split may go beyond a count.
+    int mostOver() const { return sheets_.isEmpty() ? 0 : 1; }
+
     void takeSnapshotIfDue()
     {
         const std::vector<int> &counts = parameters_.snapshots;
         if (!takeSnapshot_ || snapshotsTaken_ == counts.size() ||
-            network_.vertexCount() < counts[snapshotsTaken_])
+            network_.vertexCount() + sheets_.copies() < counts[snapshotsTaken_] - mostOver())
             return;
-        ++snapshotsTaken_;
+        const int count = counts[snapshotsTaken_++];
         auto snapshot = std::make_unique<NeuralMesh>();
         snapshot->copyNetwork(network_.mesh());
-        if (parameters_.surfaceFit)
-            finishSnapshot(*snapshot);
-        else if (isToBeClosed())
-            fillHoles(*snapshot);
+        if (parameters_.surfaceFit || isToBeClosed())
+            finishSnapshot(*snapshot, count);
         finishMesh(*snapshot);
         takeSnapshot_(std::move(snapshot));
     }
 
     /// Consolidates and fits the snapshot, as a result of so many vertices. Its random numbers are
     /// its own.
-    void finishSnapshot(NeuralMesh &snapshot)
+    void finishSnapshot(NeuralMesh &snapshot, int count)
     {
         GrowthParameters parameters = parameters_;
-        parameters.targetVertexCount = snapshot.vn;
+        parameters.targetVertexCount = count;
         parameters.snapshots.clear();
         Random random = randomStream(parameters_.seed, Purpose::snapshot, snapshotsTaken_);
         const Progress progress = [&](double, const char *) {
@@ -315,6 +360,7 @@ private:
     Random &random_;
     Random measuring_; ///< of its own, so that measuring changes nothing
     GrowingNetwork network_;
+    OpenSheets sheets_; ///< to be closed by doubling them
     MortonOrder order_;
     std::vector<Point> drawn_;
     std::vector<Point3> batch_; ///< what was drawn, in order
@@ -357,14 +403,17 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
     requireEnoughPoints(sampler, parameters.targetVertexCount);
     Random random = randomStream(parameters.seed, Purpose::growth);
     const bool hasShape = startsFromData(parameters) && startFromData(mesh, sampler, parameters);
-    if (!hasShape && parameters.startMesh != StartMesh::given) {
+    const bool hasStart = hasShape || parameters.startMesh == StartMesh::given;
+    if (sampler.isFlat() && (!hasStart || isClosed(mesh)))
+        throw FlatTarget();
+    if (!hasStart) {
         std::vector<Point> drawn;
         sampler.draw(random, startingSamples, drawn);
         makeStartingSolid(mesh, parameters.startMesh, toVcg(drawn));
     }
     requireRoomAbove(mesh.vn, parameters);
     Growth growth(mesh, sampler, parameters, random, progress, takeSnapshot);
-    if (hasShape || parameters.startMesh == StartMesh::given)
+    if (hasStart)
         growth.settle();
     GrowthReport report = growth.run();
     finishMesh(mesh);

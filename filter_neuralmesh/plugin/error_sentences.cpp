@@ -80,8 +80,8 @@ std::string sentenceFor(const InvalidInput &error)
     if (const auto *start = dynamic_cast<const InvalidStartingMesh *>(&error))
         return start->sentence("The starting layer");
     if (dynamic_cast<const FlatTarget *>(&error) != nullptr)
-        return "All points lie on a plane: a closed surface, which this filter makes, cannot be "
-               "fitted to them.";
+        return "All points lie on a plane: a closed surface cannot be fitted to them. Set Topology "
+               "to 'Learned from the data', which makes a sheet of them.";
     if (const auto *density = dynamic_cast<const InvalidDensity *>(&error))
         return aboutDensity(*density);
     if (const auto *range = dynamic_cast<const EmptyRange *>(&error))

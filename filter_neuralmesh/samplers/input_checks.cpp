@@ -67,13 +67,12 @@ void requireFourPoints(std::size_t distinct)
                            " distinct points: a closed surface needs at least 4.");
 }
 
-void requireSolid(const std::vector<Point3> &points)
+bool isFlat(const std::vector<Point3> &points)
 {
     const Eigen::Vector3d widths = principalWidths(points);
     if (widths[1] < flatExtent)
         throw InvalidInput("All points lie on a line: there is no surface to reconstruct.");
-    if (widths[0] < flatExtent)
-        throw FlatTarget();
+    return widths[0] < flatExtent;
 }
 
 std::vector<double> densityShares(std::vector<double> density, std::size_t points)

@@ -35,9 +35,9 @@ UnitFrame frameOf(const vcg::Box3d &worldBounds);
 /// Throws InvalidInput where there are fewer distinct points than a tetrahedron has.
 void requireFourPoints(std::size_t distinct);
 
-/// Throws InvalidInput where the points, given in the unit frame, all lie on a line, FlatTarget
-/// where they lie on a plane.
-void requireSolid(const std::vector<Point3> &points);
+/// Whether the points, given in the unit frame, all lie on a plane. Throws InvalidInput where they
+/// lie on a line.
+bool isFlat(const std::vector<Point3> &points);
 
 /// Densities as shares of the largest; empty where none are given. Throws InvalidDensity where
 /// there is not one for each point, where one is negative, NaN or infinite, and where all are 0.

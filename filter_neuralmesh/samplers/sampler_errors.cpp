@@ -33,11 +33,6 @@ std::string sentenceAbout(NeedsConversion::Format format)
 
 } // namespace
 
-FlatTarget::FlatTarget()
-    : InvalidInput("All points lie on a plane: a closed surface cannot be fitted to them.")
-{
-}
-
 InvalidDensity::InvalidDensity(Problem problem, std::uint64_t count, std::uint64_t broken,
                                std::uint64_t first)
     : InvalidInput(sentenceAbout(problem, count, broken, first)), problem_(problem), count_(count),

@@ -18,8 +18,8 @@ constexpr double depthOfStrip = 0.25;
 constexpr double mostOffset = 1;
 /// What is left of the sums of the last sweep.
 constexpr double memory = 0.85;
-/// How far the boundary is expected to lie off before any sample is seen (standard deviation, in
-/// heights of the face).
+/// How far a vertex is expected to lie off the middle of its neighbours along the boundary before
+/// any sample is seen (standard deviation, in heights of the face).
 constexpr double expectedReach = 1;
 
 /// A face at a boundary edge.
@@ -39,8 +39,10 @@ EdgeFace edgeFace(const NeuralMesh &mesh, VertexId start, VertexId end, VertexId
 
 } // namespace
 
-void BoundaryReach::fade()
+void BoundaryReach::fade(double mostInformation)
 {
+    sweeps_ = memory * sweeps_ + 1;
+    independence_ = std::min(1.0, mostInformation / sweeps_);
     forEachVertex(mesh_, [&](VertexId v) {
         for (Share *share : {&strips_[v].start, &strips_[v].end})
             *share = {memory * share->weight, memory * share->offset, memory * share->depth,
@@ -107,29 +109,33 @@ void BoundaryReach::follow(const VertexData<Point3> &before)
     });
 }
 
-BoundaryReach::Pull BoundaryReach::pull(VertexId v) const
+BoundaryReach::Pull BoundaryReach::pull(VertexId v, const Eigen::Vector3d &toCentre) const
 {
     Pull pull;
     const VertexId previous = previousOnBoundary(mesh_, v);
-    pullAcross(v, strips_[v].start, pull);
-    pullAcross(previous, strips_[previous].end, pull);
+    pullAcross(v, strips_[v].start, toCentre, pull);
+    pullAcross(previous, strips_[previous].end, toCentre, pull);
     return pull;
 }
 
-void BoundaryReach::pullAcross(VertexId start, const Share &share, Pull &pull) const
+void BoundaryReach::pullAcross(VertexId start, const Share &share, const Eigen::Vector3d &toCentre,
+                               Pull &pull) const
 {
     const EdgeFace face =
         edgeFace(mesh_, start, nextOnBoundary(mesh_, start), mesh_.ring(start)[1]);
     const Eigen::Vector3d outwards = toEigen(face.outwards);
     const Eigen::Matrix3d across = outwards * outwards.transpose();
     const double squaredHeight = face.height * face.height;
-    pull.system += across / (expectedReach * expectedReach * squaredHeight);
+    const double expected = 1 / (expectedReach * expectedReach * squaredHeight);
+    pull.system += across * expected;
+    pull.pull += across * toCentre * expected;
     if (!(share.samples > 0))
         return;
     const double reach = (2 * share.offset + share.depth) / share.weight;
     // Twice the mean of an even spread. Were the spread taken for as wide as it is found, samples
     // that reach further would count less.
-    const double variance = 4 * depthOfStrip * depthOfStrip / 12 / share.samples * squaredHeight;
+    const double variance =
+        4 * depthOfStrip * depthOfStrip / 12 / (independence_ * share.samples) * squaredHeight;
     pull.system += across / variance;
     pull.pull += outwards * (reach / variance);
 }

@@ -19,9 +19,10 @@ class BoundaryReach {
 public:
     explicit BoundaryReach(const NeuralMesh &mesh) : mesh_(mesh), strips_(mesh) {}
 
-    /// Makes what was seen so far count less. A sweep of the fit has a handful of samples for each
-    /// boundary edge.
-    void fade();
+    /// Begins a sweep: what was seen so far counts less. A sweep has a handful of samples for each
+    /// boundary edge. All sweeps together know no more than so many sweeps of samples that were
+    /// never drawn twice.
+    void fade(double mostInformation);
 
     /// Takes in a sample by its projection.
     void add(const StarProjection &p);
@@ -37,8 +38,9 @@ public:
     };
 
     /// What the strips along both boundary edges of a vertex on a boundary say: across each edge,
-    /// within the surface.
-    Pull pull(VertexId v) const;
+    /// within the surface. Without samples it is expected in the middle of its neighbours along the
+    /// boundary, to which `toCentre` leads.
+    Pull pull(VertexId v, const Eigen::Vector3d &toCentre) const;
 
 private:
     /// What the samples along a boundary edge say of one of its ends; sums, weighted. Offsets are
@@ -55,10 +57,13 @@ private:
     };
 
     void addToStrip(VertexId start, VertexId end, VertexId apex, const StarProjection &p);
-    void pullAcross(VertexId start, const Share &share, Pull &pull) const;
+    void pullAcross(VertexId start, const Share &share, const Eigen::Vector3d &toCentre,
+                    Pull &pull) const;
 
     const NeuralMesh &mesh_;
     VertexData<Strip> strips_;
+    double sweeps_ = 0;       ///< that are remembered, the older the less
+    double independence_ = 1; ///< share of the samples that tell something new
 };
 
 } // namespace neuralmesh

@@ -2,6 +2,7 @@
 #include "core/fit/intersection_repair.h"
 
 #include "core/mesh/boundary.h"
+#include "core/mesh/enumeration.h"
 
 namespace neuralmesh {
 namespace {
@@ -14,16 +15,24 @@ constexpr int timesAlone = 4;
 
 class IntersectionRepair {
 public:
-    IntersectionRepair(GrowingNetwork &network, const VertexData<Point3> &before)
-        : network_(network), mesh_(network.mesh()), before_(before), moved_(mesh_)
+    IntersectionRepair(GrowingNetwork &network, const RimNeighbours &rim)
+        : network_(network), mesh_(network.mesh()), rim_(rim), moved_(mesh_)
     {
     }
 
-    int run()
+    int restore(const VertexData<Point3> &before)
     {
-        if (repeat(roundsOfRestoring, [&](VertexId v) { restore(v); }) == 0)
-            return 0;
-        return repeat(roundsOfSmoothing, [&](VertexId v) { smooth(v); });
+        return repeat(roundsOfRestoring, [&](VertexId v) {
+            network_.moveVertex(v, moved_[v] + 1 < timesAlone ? (mesh_.position(v) + before[v]) / 2
+                                                              : before[v]);
+        });
+    }
+
+    int smooth()
+    {
+        return repeat(roundsOfSmoothing, [&](VertexId v) {
+            network_.moveVertex(v, (mesh_.position(v) + middleOfNeighbours(v)) / 2);
+        });
     }
 
 private:
@@ -44,24 +53,11 @@ private:
         }
     }
 
-    void restore(VertexId v)
-    {
-        network_.moveVertex(v, moved_[v] + 1 < timesAlone ? (mesh_.position(v) + before_[v]) / 2
-                                                          : before_[v]);
-    }
-
-    void smooth(VertexId v)
-    {
-        network_.moveVertex(v, (mesh_.position(v) + middleOfNeighbours(v)) / 2);
-    }
-
-    /// On a boundary, of those along it.
+    /// On the rim, of those along it.
     Point3 middleOfNeighbours(VertexId v) const
     {
-        if (mesh_.isOnBoundary(v))
-            return (mesh_.position(nextOnBoundary(mesh_, v)) +
-                    mesh_.position(previousOnBoundary(mesh_, v))) /
-                   2;
+        if (rim_.isOnRim(v))
+            return (mesh_.position(rim_.before(v)) + mesh_.position(rim_.after(v))) / 2;
         Point3 sum(0, 0, 0);
         for (const VertexId u : mesh_.ring(v))
             sum += mesh_.position(u);
@@ -70,15 +66,33 @@ private:
 
     GrowingNetwork &network_;
     const NeuralMesh &mesh_;
-    const VertexData<Point3> &before_;
+    const RimNeighbours &rim_;
     VertexData<int> moved_; ///< how often
 };
 
 } // namespace
 
+RimNeighbours::RimNeighbours(const NeuralMesh &mesh)
+    : before_(mesh, noVertex), after_(mesh, noVertex)
+{
+    forEachVertex(mesh, [&](VertexId v) {
+        if (!mesh.isOnBoundary(v))
+            return;
+        before_[v] = previousOnBoundary(mesh, v);
+        after_[v] = nextOnBoundary(mesh, v);
+    });
+}
+
 int repairIntersections(GrowingNetwork &network, const VertexData<Point3> &before)
 {
-    return IntersectionRepair(network, before).run();
+    const RimNeighbours rim(network.mesh());
+    IntersectionRepair repair(network, rim);
+    return repair.restore(before) == 0 ? 0 : repair.smooth();
+}
+
+int repairClosing(GrowingNetwork &network, const RimNeighbours &rim)
+{
+    return IntersectionRepair(network, rim).smooth();
 }
 
 } // namespace neuralmesh

@@ -15,4 +15,21 @@ namespace neuralmesh {
 /// Returns how many faces still intersect another.
 int repairIntersections(GrowingNetwork &network, const VertexData<Point3> &before);
 
+/// The vertices before and after each one on a boundary, along it; of others, noVertex.
+class RimNeighbours {
+public:
+    explicit RimNeighbours(const NeuralMesh &mesh);
+
+    bool isOnRim(VertexId v) const { return before_[v] != noVertex; }
+    VertexId before(VertexId v) const { return before_[v]; }
+    VertexId after(VertexId v) const { return after_[v]; }
+
+private:
+    VertexData<VertexId> before_, after_;
+};
+
+/// The same where boundaries, those of `rim`, have been closed since by faces that reach far. Only
+/// smooths, and the vertices of the rim along it: their new neighbours are anywhere.
+int repairClosing(GrowingNetwork &network, const RimNeighbours &rim);
+
 } // namespace neuralmesh

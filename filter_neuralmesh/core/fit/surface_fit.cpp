@@ -100,8 +100,7 @@ public:
     void sweep(Scalar step, int number)
     {
         gather();
-        information_ = std::min(number + 1.0, static_cast<double>(sampler_.pointCount()) /
-                                                  static_cast<double>(samples_.size()));
+        information_ = std::min(number + 1.0, mostInformation());
         lookAround();
         judgeNoise();
         move(step);
@@ -122,12 +121,22 @@ private:
             start_[v] = mesh_.position(v);
     }
 
+    std::size_t samplesOfSweep() const
+    {
+        return samplesPerVertex * static_cast<std::size_t>(network_.vertexCount());
+    }
+
+    /// What the points tell at the most, in sweeps.
+    double mostInformation() const
+    {
+        return static_cast<double>(sampler_.pointCount()) / static_cast<double>(samplesOfSweep());
+    }
+
     void gather()
     {
         accumulators_.reset();
-        reach_.fade();
-        sampler_.draw(random_, samplesPerVertex * static_cast<std::size_t>(network_.vertexCount()),
-                      drawn_);
+        reach_.fade(mostInformation());
+        sampler_.draw(random_, samplesOfSweep(), drawn_);
         order_.sort(drawn_, samples_);
         VertexId nearest = noVertex;
         for (const Point3 &sample : samples_) {
@@ -271,7 +280,7 @@ private:
             pull = precision * a.pull + s.normal * (predicted / variance);
         }
         if (mesh_.isOnBoundary(v)) {
-            const BoundaryReach::Pull reach = reach_.pull(v);
+            const BoundaryReach::Pull reach = reach_.pull(v, s.toCentre);
             const Eigen::Vector3d tangent = boundaryTangent(v, s.normal);
             system += tangent * tangent.transpose() / tangentialVariance + reach.system;
             pull += tangent * (tangent.dot(s.toCentre) / tangentialVariance) + reach.pull;

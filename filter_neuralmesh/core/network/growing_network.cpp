@@ -11,12 +11,14 @@
 #include "core/mesh/ring_surgery.h"
 #include "core/mesh/ring_topology.h"
 #include "core/mesh/self_intersections.h"
+#include "core/mesh/star_normal.h"
 #include "core/network/boundary_notches.h"
 #include "core/network/edge_flips.h"
 #include "core/network/regular_collapses.h"
 #include "core/network/valences.h"
 #include "core/nth_root.h"
 #include "core/topology/hole_filling.h"
+#include "core/topology/sheet_doubling.h"
 #include "core/topology/tear_mending.h"
 #include "core/topology/unsupported_edges.h"
 #include "core/topology/web_removal.h"
@@ -47,6 +49,10 @@ constexpr double shareOfOpenSurface = 0.25;
 /// Share of the target from which signals count by distance: while the network is coarse, errors
 /// are those of webs and of limbs not yet found, and following them keeps the webs (dino's legs).
 constexpr double countByDistanceFrom = 0.4;
+
+/// Distance of a sheet from the one that closes it, in mean lengths of the edges: as little as
+/// keeps them apart where a host computes in single precision.
+constexpr Scalar thicknessOfSheets = 1e-3;
 
 /// How far around a sample other sheets are looked for, in mean lengths of the winner's edges.
 constexpr Scalar sheetDistance = 0.8;
@@ -125,6 +131,54 @@ int GrowingNetwork::closeBoundaries()
 int GrowingNetwork::closeHoles(double width)
 {
     return fillHolesUpTo(mesh_, M_PI / 4 * width * width);
+}
+
+void GrowingNetwork::closeSheets(const std::vector<VertexId> &sheets)
+{
+    const std::vector<Doubled> doubled = doubleSheets(mesh_, sheets);
+    std::vector<Point3> half;
+    half.reserve(doubled.size());
+    for (const auto &[front, back] : doubled)
+        half.push_back(starNormal(mesh_, front) * (thicknessOfSheets / 2 * meanEdge(mesh_, front)));
+    for (std::size_t i = 0; i < doubled.size(); ++i) {
+        moveVertex(doubled[i].first, mesh_.position(doubled[i].first) + half[i]);
+        moveVertex(doubled[i].second, mesh_.position(doubled[i].second) - half[i]);
+    }
+}
+
+VertexId GrowingNetwork::splitBoundary(const std::vector<VertexId> &vertices)
+{
+    VertexId longest = noVertex;
+    Scalar length = -1;
+    for (const VertexId v : vertices) {
+        if (!mesh_.isOnBoundary(v))
+            continue;
+        const Scalar l = (mesh_.position(nextOnBoundary(mesh_, v)) - mesh_.position(v)).Norm();
+        if (l > length) {
+            length = l;
+            longest = v;
+        }
+    }
+    if (longest == noVertex)
+        return noVertex;
+    return splitStar(balancedSplit(mesh_, longest, 0),
+                     (mesh_.position(nextOnBoundary(mesh_, longest)) + mesh_.position(longest)) / 2);
+}
+
+bool GrowingNetwork::removeOne()
+{
+    std::vector<VertexId> candidates = mostRegularCollapses(mesh_);
+    forEachVertex(mesh_, [&](VertexId v) { candidates.push_back(v); });
+    for (const bool onSurface : {true, false})
+        for (const VertexId v : candidates) {
+            const VertexId into =
+                onSurface ? bestCollapseOnSurface(mesh_, v) : bestCollapse(mesh_, v);
+            if (into != noVertex) {
+                neuralmesh::collapse(mesh_, v, into);
+                return true;
+            }
+        }
+    return false;
 }
 
 void GrowingNetwork::evenValences()

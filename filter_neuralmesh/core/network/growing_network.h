@@ -69,6 +69,18 @@ public:
     /// Fills those only that are no wider than that, in the unit frame, seen as a circle.
     int closeHoles(double width);
 
+    /// Closes sheets, of which these are all vertices, by sheets behind them (sheet_doubling.h), and
+    /// parts the two by next to nothing.
+    void closeSheets(const std::vector<VertexId> &sheets);
+
+    /// Splits the longest edge of a boundary, of those from the vertices. Returns the new vertex,
+    /// which lies on the boundary, or noVertex where there is none.
+    VertexId splitBoundary(const std::vector<VertexId> &vertices);
+
+    /// Removes a vertex so that valences come out even and the surface stays, as far as that goes.
+    /// False where none can go.
+    bool removeOne();
+
     /// Flips edges all over the mesh where that evens out the valences or widens angles.
     void evenValences();
 

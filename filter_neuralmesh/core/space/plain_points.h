@@ -48,4 +48,9 @@ inline Point3 toWorld(const UnitFrame &frame, const Point3 &unit)
     return toVcg(frame.toWorld(toPlain(unit)));
 }
 
+inline Box3 toWorld(const UnitFrame &frame, const Box3 &unit)
+{
+    return {toWorld(frame, unit.min), toWorld(frame, unit.max)};
+}
+
 } // namespace neuralmesh

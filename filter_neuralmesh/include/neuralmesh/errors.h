@@ -16,6 +16,13 @@ public:
     explicit InvalidInput(const std::string &sentence) : std::runtime_error(sentence) {}
 };
 
+/// The target space lies in a plane, and a closed surface cannot be fitted to it: either none but a
+/// closed one was asked for, or no open one was found.
+class FlatTarget : public InvalidInput {
+public:
+    FlatTarget();
+};
+
 /// The progress callback asked to stop.
 class Cancelled : public std::runtime_error {
 public:

@@ -36,6 +36,9 @@ public:
     /// needs a point of its own, so no network can hold more vertices.
     virtual std::size_t countDistinctPoints(std::size_t enough) const { return enough; }
 
+    /// Whether all of it lies in one plane, where no surface but an open one can be.
+    virtual bool isFlat() const { return false; }
+
     /// Estimated share of the points that were taken for outliers and are not drawn.
     virtual double outlierShare() const { return 0; }
 };

@@ -10,12 +10,6 @@
 
 namespace neuralmesh {
 
-/// All points lie on a plane, which no closed surface can be fitted to.
-class FlatTarget : public InvalidInput {
-public:
-    FlatTarget();
-};
-
 /// The densities of points cannot be used.
 class InvalidDensity : public InvalidInput {
 public:

@@ -3,7 +3,7 @@
 //
 // All take world coordinates, and throw InvalidInput, or what sampler_errors.h has of it, where
 // there is no surface to be found: where points are fewer than four or not finite, or lie in one
-// place, on a line or on a plane.
+// place or on a line.
 #pragma once
 
 #include <array>

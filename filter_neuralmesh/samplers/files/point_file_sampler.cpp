@@ -63,25 +63,36 @@ bool areCredible(const vcg::Box3d &claimed, const PointRecords &records)
 
 PointFileSampler::PointFileSampler(const std::string &path, const Progress &progress)
 try : path_(path), file_(path), records_(file_.bytes(), readPointLayout(file_.bytes())) {
-    const vcg::Box3d worldBounds = findWorldBounds(progress);
-    frame_ = frameOf(worldBounds);
-    bounds_.Add(toUnit(frame_, worldBounds.min));
-    bounds_.Add(toUnit(frame_, worldBounds.max));
+    setFrame(findWorldBounds(progress));
     requireFourPoints(countDistinctPoints(4));
-    std::vector<Point3> pilot;
-    visitPilot(records_.count(), [&](std::uint64_t index) { pilot.push_back(unitPoint(index)); });
-    OutlierFilter filter(pilot, bounds_);
-    if (filter.isActive()) {
+    std::vector<Point3> pilot = readPilot();
+    if (const OutlierFilter filter(pilot, bounds_); filter.isActive()) {
+        // Outliers may lie so far off that the rest is next to nothing in the frame of all.
+        setFrame(toWorld(frame_, filter.bounds()));
+        pilot = readPilot();
+        outliers_.emplace(pilot, bounds_);
         pilot.erase(std::remove_if(pilot.begin(), pilot.end(),
-                                   [&](const Point3 &p) { return filter.isOutlier(p); }),
+                                   [&](const Point3 &p) { return outliers_->isOutlier(p); }),
                     pilot.end());
-        outliers_.emplace(std::move(filter));
     }
-    requireSolid(pilot);
+    isFlat_ = neuralmesh::isFlat(pilot);
     if (file_.hasChanged())
         throw InvalidInput(changed);
 } catch (const InvalidInput &problem) {
     std::throw_with_nested(InvalidPointFile(path, problem.what()));
+}
+
+void PointFileSampler::setFrame(const vcg::Box3d &worldBounds)
+{
+    frame_ = frameOf(worldBounds);
+    bounds_ = Box3(toUnit(frame_, worldBounds.min), toUnit(frame_, worldBounds.max));
+}
+
+std::vector<Point3> PointFileSampler::readPilot() const
+{
+    std::vector<Point3> pilot;
+    visitPilot(records_.count(), [&](std::uint64_t index) { pilot.push_back(unitPoint(index)); });
+    return pilot;
 }
 
 vcg::Box3d PointFileSampler::findWorldBounds(const Progress &progress) const

@@ -26,6 +26,7 @@ public:
 
     const UnitFrame &frame() const override { return frame_; }
     Box bounds() const override { return toPlain(bounds_); }
+    bool isFlat() const override { return isFlat_; }
     /// Throws InvalidPointFile where the file has been changed since it was opened.
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
     std::size_t pointCount() const override;
@@ -35,6 +36,8 @@ public:
     double outlierShare() const override { return outliers_ ? outliers_->share() : 0; }
 
 private:
+    void setFrame(const vcg::Box3d &worldBounds);
+    std::vector<Point3> readPilot() const;
     vcg::Box3d findWorldBounds(const Progress &progress) const;
     Point3 unitPoint(std::uint64_t index) const { return toUnit(frame_, records_.point(index)); }
     void drawAtOnce(Random &random, std::size_t count, Point *samples) const;
@@ -44,6 +47,7 @@ private:
     MappedFile file_;
     PointRecords records_;
     UnitFrame frame_;
+    bool isFlat_ = false;
     Box3 bounds_;
     std::optional<OutlierFilter> outliers_; ///< where there are any
 };

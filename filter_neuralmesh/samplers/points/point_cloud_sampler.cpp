@@ -27,38 +27,55 @@ PointCloudSampler::PointCloudSampler(const std::vector<Point> &world,
     for (std::size_t i = 0; i < world.size(); ++i)
         if (isDrawn(i))
             worldBounds.Add(toVcg(world[i]));
-    frame_ = frameOf(worldBounds);
+    setFrame(worldBounds);
     points_.reserve(world.size());
     std::vector<double> weights;
     for (std::size_t i = 0; i < world.size(); ++i) {
         if (!isDrawn(i))
             continue;
         points_.push_back(toVcg(frame_.toUnit(world[i])));
-        bounds_.Add(points_.back());
         if (!density.empty())
             weights.push_back(density[i]);
     }
     requireFourPoints(countDistinctPoints(4));
     if (density.empty())
-        setAsideOutliers();
+        setAsideOutliers(world);
     else
         byDensity_.emplace(weights);
-    requireSolid(points_);
+    isFlat_ = neuralmesh::isFlat(points_);
 }
 
-void PointCloudSampler::setAsideOutliers()
+void PointCloudSampler::setFrame(const vcg::Box3d &worldBounds)
 {
-    OutlierFilter filter(points_, bounds_);
+    frame_ = frameOf(worldBounds);
+    bounds_ = Box3(toUnit(frame_, worldBounds.min), toUnit(frame_, worldBounds.max));
+}
+
+/// Outliers may lie so far off that the rest is next to nothing in the frame of all.
+void PointCloudSampler::setAsideOutliers(const std::vector<Point> &world)
+{
+    const OutlierFilter filter(points_, bounds_);
     outlierShare_ = filter.share();
     if (!filter.isActive())
         return;
     if (points_.size() > mostPointsSifted) {
-        outliers_.emplace(std::move(filter));
+        setFrame(toWorld(frame_, filter.bounds()));
+        for (std::size_t i = 0; i < world.size(); ++i)
+            points_[i] = toVcg(frame_.toUnit(world[i]));
+        outliers_.emplace(points_, bounds_);
         return;
     }
-    const auto end = std::remove_if(points_.begin(), points_.end(),
-                                    [&](const Point3 &point) { return filter.isOutlier(point); });
-    points_.erase(end, points_.end());
+    std::vector<Point> rest;
+    vcg::Box3d worldBounds;
+    for (std::size_t i = 0; i < world.size(); ++i)
+        if (!filter.isOutlier(points_[i])) {
+            rest.push_back(world[i]);
+            worldBounds.Add(toVcg(world[i]));
+        }
+    setFrame(worldBounds);
+    points_.clear();
+    for (const Point &point : rest)
+        points_.push_back(toVcg(frame_.toUnit(point)));
 }
 
 void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Point> &samples) const

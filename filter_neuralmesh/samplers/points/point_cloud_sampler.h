@@ -11,12 +11,11 @@
 namespace neuralmesh {
 
 /// A point cloud as target space: every point with the same probability (equation 1), but for
-/// outliers, which are not drawn; or in proportion to a density.
+/// outliers, which are not drawn and do not count for the bounds; or in proportion to a density.
 class PointCloudSampler : public Sampler {
 public:
     /// Takes points in world coordinates. Throws InvalidInput where fewer than four are distinct,
-    /// where one is not finite, and where all lie in one place, on a line or on a plane, since
-    /// none of these can carry a closed surface.
+    /// where one is not finite, and where all lie in one place or on a line.
     ///
     /// Where `density` is given, one value for each point, not negative, points are drawn in
     /// proportion to it. It says how much each of them counts: those of density 0 are as if they
@@ -26,6 +25,7 @@ public:
 
     const UnitFrame &frame() const override { return frame_; }
     Box bounds() const override { return toPlain(bounds_); }
+    bool isFlat() const override { return isFlat_; }
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
     std::size_t pointCount() const override { return points_.size(); }
     std::size_t countDistinctPoints(std::size_t enough) const override;
@@ -33,13 +33,15 @@ public:
     double outlierShare() const override { return outlierShare_; }
 
 private:
-    void setAsideOutliers();
+    void setAsideOutliers(const std::vector<Point> &world);
+    void setFrame(const vcg::Box3d &worldBounds);
     std::size_t drawIndex(Random &random) const;
 
     double outlierShare_ = 0;
     std::optional<OutlierFilter> outliers_; ///< where there are any, in a large cloud
     std::optional<AliasTable> byDensity_;
     UnitFrame frame_;
+    bool isFlat_ = false;
     Box3 bounds_;
     std::vector<Point3> points_; ///< in the unit frame
 };

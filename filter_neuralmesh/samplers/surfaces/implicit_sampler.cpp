@@ -93,7 +93,7 @@ ImplicitSampler::ImplicitSampler(Expression function, const Box &box)
         points.push_back(toUnit(frame_, p));
         bounds_.Add(points.back());
     }
-    requireSolid(points);
+    isFlat_ = neuralmesh::isFlat(points);
 }
 
 std::vector<vcg::Point3d> ImplicitSampler::drawPilot()

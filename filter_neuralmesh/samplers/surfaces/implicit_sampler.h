@@ -20,12 +20,12 @@ namespace neuralmesh {
 class ImplicitSampler : public Sampler {
 public:
     /// Throws EmptyRange where the box is empty, InvalidInput where the function is not finite in
-    /// it or no surface is found, and where the surface is a plane, which cannot carry a closed
-    /// one.
+    /// it or no surface is found.
     ImplicitSampler(Expression function, const Box &box);
 
     const UnitFrame &frame() const override { return frame_; }
     Box bounds() const override { return toPlain(bounds_); }
+    bool isFlat() const override { return isFlat_; }
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
 
 private:
@@ -35,6 +35,7 @@ private:
     Expression function_;
     SurfaceCells cells_;
     UnitFrame frame_;
+    bool isFlat_ = false;
     Box3 bounds_;
     double linesPerSample_ = 1;
 };

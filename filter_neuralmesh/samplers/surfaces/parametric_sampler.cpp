@@ -94,7 +94,7 @@ void ParametricSampler::measureCells()
         points.push_back(toUnit(frame_, node));
         bounds_.Add(points.back());
     }
-    requireSolid(points);
+    isFlat_ = neuralmesh::isFlat(points);
     for (int j = 0; j < cellsAlong; ++j)
         for (int i = 0; i < cellsAlong; ++i) {
             double largest = 0;

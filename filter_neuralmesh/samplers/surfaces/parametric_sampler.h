@@ -20,12 +20,13 @@ namespace neuralmesh {
 class ParametricSampler : public Sampler {
 public:
     /// Takes the expressions of x, y and z, each in the variables "uv". Throws EmptyRange where a
-    /// range is empty, InvalidInput where an expression is not finite in it, the surface has no
-    /// area, or is a plane, which cannot carry a closed one.
+    /// range is empty, InvalidInput where an expression is not finite in it or the surface
+    /// has no area.
     ParametricSampler(std::array<Expression, 3> coordinates, Range u, Range v);
 
     const UnitFrame &frame() const override { return frame_; }
     Box bounds() const override { return toPlain(bounds_); }
+    bool isFlat() const override { return isFlat_; }
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
 
 private:
@@ -39,6 +40,7 @@ private:
     std::vector<double> mostDensity_; ///< bound by cell, u fastest
     AliasTable cells_;
     UnitFrame frame_;
+    bool isFlat_ = false;
     Box3 bounds_;
 };
 

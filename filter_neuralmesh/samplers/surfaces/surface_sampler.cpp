@@ -75,7 +75,7 @@ SurfaceSampler::SurfaceSampler(const std::vector<Point> &world, const std::vecto
         throw InvalidDensity(InvalidDensity::Problem::noFace);
     if (faces_.empty())
         throw InvalidInput("All faces are without area: there is no surface to sample.");
-    requireSolid(corners);
+    isFlat_ = neuralmesh::isFlat(corners);
     table_ = AliasTable(weights);
 }
 

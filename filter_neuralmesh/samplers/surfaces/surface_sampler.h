@@ -23,10 +23,12 @@ public:
 
     const UnitFrame &frame() const override { return frame_; }
     Box bounds() const override { return toPlain(bounds_); }
+    bool isFlat() const override { return isFlat_; }
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
 
 private:
     UnitFrame frame_;
+    bool isFlat_ = false;
     Box3 bounds_;
     std::vector<Point3> points_;  ///< in the unit frame
     std::vector<Corners> faces_;  ///< those that have a weight

@@ -34,9 +34,10 @@ void feed(BoundaryReach &reach, const GrowingNetwork &network, Scalar beyond, in
 }
 
 /// Where the system wants the vertex to go, in the mesh's plane.
-Point3 wanted(const BoundaryReach &reach, VertexId v)
+Point3 wanted(const BoundaryReach &reach, VertexId v,
+              const Eigen::Vector3d &toCentre = Eigen::Vector3d::Zero())
 {
-    const BoundaryReach::Pull pull = reach.pull(v);
+    const BoundaryReach::Pull pull = reach.pull(v, toCentre);
     const Eigen::Matrix3d system = pull.system + 1e-6 * Eigen::Matrix3d::Identity();
     const Eigen::Vector3d d = system.ldlt().solve(pull.pull);
     return {d[0], d[1], d[2]};
@@ -74,6 +75,24 @@ TEST(BoundaryReach, sees_a_boundary_that_goes_to_and_fro)
     feed(reach, network, 0, 400000);
     for (VertexId i = 2; i + 1 < size; ++i) // each edge is right in the mean
         EXPECT_GT(wanted(reach, i).Y() * (i % 2 == 0 ? -1 : 1), 0.01) << i;
+}
+
+TEST(BoundaryReach, believes_points_that_are_drawn_over_and_over_no_more_than_once)
+{
+    NeuralMesh mesh;
+    test::makeSquare(mesh, size);
+    const GrowingNetwork network(mesh, wideBounds(), GrowthParameters{});
+    const Eigen::Vector3d toCentre(0, 0.1, 0);
+    double least = -1; // from the many samples to the neighbours, the less is known
+    for (const double information : {10.0, 0.01, 0.0001}) {
+        BoundaryReach reach(mesh);
+        reach.fade(information);
+        feed(reach, network, 0.1, 4000);
+        const double y = wanted(reach, 4, toCentre).Y();
+        EXPECT_GT(y, least) << information;
+        least = y;
+    }
+    EXPECT_NEAR(least, toCentre.y(), 0.02);
 }
 
 TEST(BoundaryReach, follows_a_boundary_that_moves)

@@ -120,10 +120,10 @@ TEST(ImplicitSampler, refuses_functions_that_are_not_finite_in_the_box_and_says_
               "expr is not finite at (-1, -1, 1), which is in the box.");
 }
 
-TEST(ImplicitSampler, refuses_a_plane)
+TEST(ImplicitSampler, knows_a_plane)
 {
-    EXPECT_EQ(refusal("x + 0.3*y - 0.1"),
-              "All points lie on a plane: a closed surface cannot be fitted to them.");
+    EXPECT_TRUE(surfaceOf("x + 0.3*y - 0.1").isFlat());
+    EXPECT_FALSE(surfaceOf(sphere).isFlat());
 }
 
 } // namespace

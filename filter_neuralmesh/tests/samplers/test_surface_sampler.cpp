@@ -109,8 +109,8 @@ TEST(SurfaceSampler, refuses_what_has_no_area)
     EXPECT_EQ(refusal(corners, {}), "There are no faces to sample.");
     EXPECT_EQ(refusal(corners, {{{0, 0, 1}}, {{2, 3, 2}}}),
               "All faces are without area: there is no surface to sample.");
-    EXPECT_EQ(refusal(corners, {{{0, 1, 2}}, {{0, 1, 2}}}),
-              "All points lie on a plane: a closed surface cannot be fitted to them.");
+    EXPECT_TRUE(SurfaceSampler(corners, {{{0, 1, 2}}, {{0, 1, 2}}}).isFlat());
+    EXPECT_FALSE(SurfaceSampler(corners, sides).isFlat());
     EXPECT_EQ(refusal(corners, {{{0, 1, 2}}}, {0, 0, 0, 1}),
               "No face has both an area and a density above 0.");
     Points broken = corners;
