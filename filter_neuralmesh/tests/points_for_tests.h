@@ -23,6 +23,15 @@ struct WorldPoints : std::vector<vcg::Point3d> {
     }
 };
 
+/// Uniform in the unit cube, in a fixed order: that of arguments in a call is up to the compiler.
+inline vcg::Point3d inUnitCube(Random &random)
+{
+    const double z = random.unit();
+    const double y = random.unit();
+    const double x = random.unit();
+    return {x, y, z};
+}
+
 /// Samples in the unit frame.
 inline std::vector<Point3> drawUnit(const Sampler &sampler, Random &random, std::size_t count)
 {

@@ -78,7 +78,8 @@ inline Body box(const vcg::Point3d &size)
     const auto draw = [=](Random &random) {
         const double place = random.unit() * area;
         const int axis = place < areas[0] ? 0 : place < areas[0] + areas[1] ? 1 : 2;
-        vcg::Point3d p(random.unit() * size[0], random.unit() * size[1], random.unit() * size[2]);
+        vcg::Point3d p = inUnitCube(random);
+        p.Scale(size);
         p[axis] = random.below(2) == 0 ? 0 : size[axis];
         return p;
     };

@@ -28,7 +28,8 @@ void feed(BoundaryReach &reach, const GrowingNetwork &network, Scalar beyond, in
     Random random(1);
     const Scalar side = size + 2 * beyond;
     for (int i = 0; i < samples; ++i) {
-        const Point3 sample(random.unit() * side - beyond, random.unit() * side - beyond, 0);
+        const Scalar x = random.unit() * side - beyond;
+        const Point3 sample(x, random.unit() * side - beyond, 0);
         reach.add(network.project(network.nearestVertex(sample), sample));
     }
 }

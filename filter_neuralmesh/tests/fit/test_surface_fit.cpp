@@ -58,7 +58,7 @@ test::WorldPoints cubePoints(std::size_t count)
     Random random(6);
     test::WorldPoints points;
     for (std::size_t i = 0; i < count; ++i) {
-        vcg::Point3d p(2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1);
+        vcg::Point3d p = test::inUnitCube(random) * 2 - vcg::Point3d(1, 1, 1);
         p[static_cast<int>(random.below(3))] = random.below(2) == 0 ? -1 : 1;
         points.push_back(p);
     }
@@ -115,7 +115,8 @@ test::WorldPoints noisyPlate(std::size_t count, double deviation, std::uint64_t 
     const double shareOfRim = 2 * size[2] / (1 + 2 * size[2]);
     test::WorldPoints points;
     for (std::size_t i = 0; i < count; ++i) {
-        vcg::Point3d p(random.unit() * size[0], random.unit() * size[1], random.unit() * size[2]);
+        vcg::Point3d p = test::inUnitCube(random);
+        p.Scale(size);
         const int axis = random.unit() >= shareOfRim ? 2 : static_cast<int>(random.below(2));
         p[axis] = random.below(2) == 0 ? 0 : size[axis];
         addNoise(p, deviation, random);

@@ -82,7 +82,7 @@ WorldPoints ellipsoid(std::size_t count, double thickness, double cut = -2)
     Random random(5);
     WorldPoints points;
     while (points.size() < count) {
-        vcg::Point3d p(2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1);
+        vcg::Point3d p = test::inUnitCube(random) * 2 - vcg::Point3d(1, 1, 1);
         const double length = p.Norm();
         if (length > 1 || length < 0.1)
             continue;

@@ -33,8 +33,7 @@ TEST(StarProjection, finds_the_distance_that_vcg_finds)
     for (int i = 0; i < 20000; ++i) {
         const auto v = static_cast<VertexId>(random.below(35));
         const Point3 query =
-            mesh.position(v) +
-            Point3(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5) * 3;
+            mesh.position(v) + (test::inUnitCube(random) - Point3(0.5, 0.5, 0.5)) * 3;
         const StarProjection p = projectOnStar(mesh, v, query);
         ASSERT_NEAR(std::sqrt(p.squaredDistance), distanceByVcg(mesh, v, query), 1e-12);
         Point3 point(0, 0, 0);

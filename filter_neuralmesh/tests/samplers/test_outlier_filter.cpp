@@ -23,7 +23,7 @@ test::WorldPoints sphereWithOutliers(int outliers)
     test::WorldPoints points = test::spherePoints(10000, 1);
     Random random(2);
     for (int i = 0; i < outliers; ++i)
-        points.emplace_back(4 * random.unit() - 2, 4 * random.unit() - 2, 4 * random.unit() - 2);
+        points.push_back(test::inUnitCube(random) * 4 - vcg::Point3d(2, 2, 2));
     return points;
 }
 

@@ -44,7 +44,7 @@ TEST(PointFileSampler, draws_no_outliers)
     test::WorldPoints points = test::spherePoints(10000, 1);
     Random random(2);
     for (int i = 0; i < 500; ++i)
-        points.emplace_back(4 * random.unit() - 2, 4 * random.unit() - 2, 4 * random.unit() - 2);
+        points.push_back(test::inUnitCube(random) * 4 - vcg::Point3d(2, 2, 2));
     const TemporaryFile file(test::plyOf<float>(points));
     const PointFileSampler sampler(file.path());
     EXPECT_NEAR(sampler.outlierShare(), 500.0 / 10500, 0.01);

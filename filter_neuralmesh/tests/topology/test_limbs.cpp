@@ -53,9 +53,12 @@ TEST(Limbs, samples_within_a_web_do_not_hold_it)
         test::addWebbedLegs(scene, legs);
         test::addSamplesOfLegs(scene, legs);
         Random random(seed);
-        for (int i = 0; i < 30; ++i)
-            scene.samples.emplace_back(legs.gap / 2 + size * (random.unit() - 0.5), -legs.radius,
-                                       legs.bottomOfBody() / 2 + size * (random.unit() - 0.5));
+        for (int i = 0; i < 30; ++i) {
+            const double z = random.unit() - 0.5;
+            const double x = random.unit() - 0.5;
+            scene.samples.emplace_back(legs.gap / 2 + size * x, -legs.radius,
+                                       legs.bottomOfBody() / 2 + size * z);
+        }
         test::addTorusAside(scene);
         NeuralMesh mesh;
         test::collapseInactive(mesh, scene);
