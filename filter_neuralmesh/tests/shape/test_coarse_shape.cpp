@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shape/coarse_shape.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/mesh/enumeration.h"
+#include "core/mesh/mesh_checks.h"
+#include "tests/points_for_tests.h"
+#include "tests/shape/inputs_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+/// No gap is wider.
+constexpr double noHole = 100;
+constexpr int vertices = 200;
+
+CoarseShape shapeOf(const test::Points &points, NeuralMesh &mesh, double hole = noHole)
+{
+    const CoarseShape shape = findCoarseShape(mesh, points, points.size(), vertices, hole);
+    validate(mesh);
+    const TopologyFigures figures = measureTopology(mesh);
+    EXPECT_EQ(figures.components, shape.components);
+    EXPECT_EQ(figures.genus, shape.genus);
+    EXPECT_EQ(figures.boundaryLoops, shape.openings);
+    return shape;
+}
+
+void expectShape(const test::Points &points, int components, int genus)
+{
+    NeuralMesh mesh;
+    const CoarseShape shape = shapeOf(points, mesh);
+    EXPECT_TRUE(shape.isTrusted);
+    EXPECT_FALSE(shape.isSheet);
+    EXPECT_EQ(shape.components, components);
+    EXPECT_EQ(shape.genus, genus);
+    EXPECT_LT(shape.unsupportedShare, 0.01);
+    EXPECT_EQ(shape.missedShare, 0);
+}
+
+const test::Points &sphere()
+{
+    static const test::WorldPoints world = test::spherePoints(3000, 1);
+    static const test::Points points(world.begin(), world.end());
+    return points;
+}
+
+/// A square with a wave in it, of side 1.
+test::Points sheet()
+{
+    Random random(1);
+    test::Points points;
+    for (int i = 0; i < 3000; ++i) {
+        const double x = random.unit();
+        const double y = random.unit();
+        points.emplace_back(x, y, 0.2 * std::sin(3 * x) * y);
+    }
+    return points;
+}
+
+TEST(CoarseShape, of_a_sphere_is_the_sphere)
+{
+    NeuralMesh mesh;
+    const CoarseShape shape = shapeOf(sphere(), mesh);
+    EXPECT_TRUE(shape.isTrusted);
+    EXPECT_FALSE(shape.isSheet);
+    EXPECT_EQ(shape.components, 1);
+    EXPECT_EQ(shape.genus, 0);
+    EXPECT_EQ(mesh.vn, vertices);
+    // 0.969 to 1.003: the grid is of 64 cells for 2.6, and decimation cuts corners short.
+    forEachVertex(mesh, [&](VertexId v) { EXPECT_NEAR(mesh.position(v).Norm(), 0.985, 0.025); });
+    EXPECT_NEAR(signedVolume(mesh) / (4 * M_PI / 3), 0.96, 0.02);
+}
+
+TEST(CoarseShape, lies_where_the_points_lie_whatever_their_box)
+{
+    // An ellipsoid far from the origin, three times as long as thick.
+    const Point3 middle(20, -30, 40);
+    test::Points points;
+    for (const Point3 &p : sphere())
+        points.push_back(middle + Point3(p.X(), 3 * p.Y(), 2 * p.Z()));
+    NeuralMesh mesh;
+    const CoarseShape shape = shapeOf(points, mesh);
+    EXPECT_TRUE(shape.isTrusted);
+    forEachVertex(mesh, [&](VertexId v) {
+        const Point3 p = mesh.position(v) - middle;
+        // A cell of the grid of 64 is 0.12, a tenth of the ellipsoid's thickness.
+        EXPECT_NEAR(Point3(p.X(), p.Y() / 3, p.Z() / 2).Norm(), 0.97, 0.07);
+    });
+}
+
+TEST(CoarseShape, finds_the_handle_of_a_torus)
+{
+    expectShape(test::torusPoints(3000, 1, 0.4, 1), 1, 1);
+}
+
+TEST(CoarseShape, finds_two_parts)
+{
+    expectShape(test::together(test::moved(sphere(), 1, {-1.5, 0, 0}),
+                               test::moved(sphere(), 0.5, {1, 0, 0})),
+                2, 0);
+}
+
+TEST(CoarseShape, finds_the_holes_of_a_plate)
+{
+    // Seven by three cubes, a hole in the second, fourth and sixth of the middle row.
+    const auto isSolid = [](int x, int y, int z) {
+        return z == 3 && y > 1 && y < 5 && !(y == 3 && x % 2 == 1);
+    };
+    expectShape(test::latticePoints(4000, 7, isSolid, 1), 1, 3);
+}
+
+TEST(CoarseShape, finds_the_hole_of_a_frame_of_thin_bars)
+{
+    const auto isSolid = [](int x, int y, int z) {
+        return z == 8 && (x == 0 || x == 15 || y == 0 || y == 15);
+    };
+    expectShape(test::latticePoints(4000, 16, isSolid, 1), 1, 1);
+}
+
+TEST(CoarseShape, of_thin_plates_at_an_angle_has_no_holes)
+{
+    // Each 1.5 cells thick on the first grid, where the field does not rise to 1/2 everywhere in
+    // them: at that level, the shape has two handles.
+    const auto isSolid = [](int x, int y, int z) { return (x == 0 || z == 0) && y > 4 && y < 12; };
+    expectShape(test::latticePoints(4000, 16, isSolid, 1), 1, 0);
+}
+
+TEST(CoarseShape, knows_an_open_sheet)
+{
+    NeuralMesh mesh;
+    const CoarseShape shape = shapeOf(sheet(), mesh);
+    EXPECT_TRUE(shape.isTrusted);
+    EXPECT_TRUE(shape.isSheet);
+    EXPECT_EQ(shape.components, 1);
+    EXPECT_EQ(shape.genus, 0);
+    EXPECT_NEAR(shape.unsupportedShare, 0.58, 0.05); // the membrane arches over the sheet
+    EXPECT_EQ(shape.missedShare, 0);
+}
+
+TEST(CoarseShape, knows_a_sheet_whose_sides_are_nearer_than_a_cell)
+{
+    // Without the common lean of the first normals, it has a handle, and is not trusted.
+    NeuralMesh mesh;
+    const auto isSolid = [](int, int, int z) { return z == 20; };
+    const CoarseShape shape = shapeOf(test::latticePoints(4000, 40, isSolid, 1), mesh);
+    EXPECT_TRUE(shape.isTrusted);
+    EXPECT_TRUE(shape.isSheet);
+    EXPECT_EQ(shape.components, 1);
+    EXPECT_EQ(shape.genus, 0);
+}
+
+TEST(CoarseShape, has_a_boundary_where_a_gap_is_wider_than_the_hole)
+{
+    test::Points bowl;
+    for (const Point3 &p : sphere())
+        if (p.Z() < 0.6) // a gap 1.6 wide
+            bowl.push_back(p);
+    // The membrane reaches over the rim by less than a fifth of the gap to each side.
+    for (const double hole : {1.2, 2.0}) {
+        NeuralMesh mesh;
+        const CoarseShape shape = shapeOf(bowl, mesh, hole);
+        EXPECT_TRUE(shape.isTrusted);
+        EXPECT_FALSE(shape.isSheet);
+        EXPECT_EQ(shape.components, 1);
+        EXPECT_EQ(shape.genus, 0);
+        EXPECT_EQ(shape.openings, hole < 1.6 ? 1 : 0);
+    }
+    NeuralMesh mesh;
+    EXPECT_EQ(shapeOf(sheet(), mesh, 0.5).openings, 1);
+}
+
+TEST(CoarseShape, leaves_out_parts_that_are_of_a_few_stray_points)
+{
+    Random random(3);
+    test::Points points = sphere();
+    for (int i = 0; i < 150; ++i) {
+        const double x = 4 * random.unit() - 2;
+        const double y = 4 * random.unit() - 2;
+        points.emplace_back(x, y, 4 * random.unit() - 2);
+    }
+    NeuralMesh mesh;
+    const CoarseShape shape = shapeOf(points, mesh);
+    EXPECT_TRUE(shape.isTrusted);
+    EXPECT_EQ(shape.components, 1);
+    EXPECT_EQ(shape.genus, 0);
+    EXPECT_NEAR(shape.missedShare, 0.043, 0.005); // of 150 in 3150, those not near the sphere
+}
+
+TEST(CoarseShape, does_not_trust_sheets_that_cross)
+{
+    Random random(1);
+    test::Points points;
+    for (int i = 0; i < 3000; ++i) {
+        const double along = random.unit();
+        const double across = 2 * random.unit() - 1;
+        points.push_back(i % 2 == 0 ? Point3(along, across, 0) : Point3(along, 0, across));
+    }
+    NeuralMesh mesh;
+    EXPECT_FALSE(shapeOf(points, mesh).isTrusted);
+}
+
+TEST(CoarseShape, of_a_single_place_is_none)
+{
+    NeuralMesh mesh;
+    const CoarseShape shape =
+        findCoarseShape(mesh, test::Points(100, Point3(1, 2, 3)), 1, vertices, noHole);
+    EXPECT_FALSE(shape.isTrusted);
+    EXPECT_EQ(shape.components, 0);
+}
+
+} // namespace
+} // namespace neuralmesh

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shape/shape_reading.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/shape/inputs_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+constexpr int fewestVotes = 3;
+constexpr double far = 2;
+
+/// On the level set of the field, some to a cell.
+test::Points pointsAt(const Grid &inside, float level = 0)
+{
+    return marchTetrahedra(inside, level, cellsBetween(inside, level, level)).points;
+}
+
+/// Times 4, so that the levels of ±0.1 lie within a cell of that at 0.
+Grid ball(const Point3 &centre, double radius)
+{
+    return test::sampled(test::cube(32), [&](const Point3 &p) {
+        return std::min(1.0, 4 * (radius - (p - centre).Norm()));
+    });
+}
+
+Grid larger(Grid a, const Grid &b)
+{
+    for (std::size_t i = 0; i < a.size(); ++i)
+        a[i] = std::max(a[i], b[i]);
+    return a;
+}
+
+TEST(ShapeReading, all_levels_agree_on_a_torus_in_a_flat_box)
+{
+    const Grid torus = test::sampled({32, 32, 16}, [](const Point3 &p) {
+        const Point3 q = p - Point3(0.5, 0.5, 0.25);
+        return 4 * (0.12 - std::hypot(std::hypot(q.X(), q.Y()) - 0.3, q.Z()));
+    });
+    const ShapeReading reading = readShape(torus, pointsAt(torus), far, fewestVotes);
+    EXPECT_EQ(reading.votes, ShapeReading::levelCount);
+    EXPECT_EQ(reading.surface.components, 1);
+    EXPECT_EQ(reading.surface.genus, 1);
+    EXPECT_EQ(reading.surface.missedShare, 0);
+    // Of the level of the points, the first that has the shape.
+    EXPECT_EQ(reading.surface.soup.points, pointsAt(torus));
+}
+
+TEST(ShapeReading, takes_the_shape_of_most_levels_not_that_at_the_points)
+{
+    // A ring with a gap, in which the field is just above 0, and a hole, in which it is just below:
+    // a handle at level 0, but none at the higher ones, where the gap is open, nor at the lower
+    // ones, where the hole is filled.
+    const Grid ring = test::sampled({32, 32, 16}, [](const Point3 &p) {
+        const Point3 q = p - Point3(0.5, 0.5, 0.25);
+        const double r = std::hypot(q.X(), q.Y());
+        if (r > 0.4 || std::abs(q.Z()) > 0.1)
+            return -1.0;
+        if (r < 0.2)
+            return -0.025;
+        return q.X() > 0 && std::abs(q.Y()) < 0.08 ? 0.025 : 1.0;
+    });
+    const ShapeReading reading = readShape(ring, pointsAt(ring, 0.1F), far, fewestVotes);
+    EXPECT_EQ(reading.votes, ShapeReading::levelCount - 1);
+    EXPECT_EQ(reading.surface.components, 1);
+    EXPECT_EQ(reading.surface.genus, 0);
+}
+
+TEST(ShapeReading, takes_the_simplest_shape_where_hardly_any_levels_agree)
+{
+    // Five blocks in a row, with the field just below each level in one of the four gaps.
+    const Grid blocks = test::sampled({80, 16, 16}, [](const Point3 &p) {
+        constexpr double heights[] = {-0.075, -0.025, 0.025, 0.075};
+        const int tenth = static_cast<int>(p.X() * 10); // odd ones are blocks, but for the last
+        if (std::max(std::abs(p.Y() - 0.1), std::abs(p.Z() - 0.1)) > 0.05 || p.X() < 0.1)
+            return -1.0;
+        return tenth % 2 == 1 ? (p.X() > 0.96 ? -1.0 : 1.0) : heights[tenth / 2 - 1];
+    });
+    const ShapeReading reading = readShape(blocks, pointsAt(blocks, 0.1F), far, fewestVotes);
+    EXPECT_EQ(reading.votes, 1);
+    EXPECT_EQ(reading.surface.components, 1);
+    // Without a least number of votes, the first level's shape has as many as the others.
+    EXPECT_EQ(readShape(blocks, pointsAt(blocks, 0.1F), far, 1).surface.components, 3);
+}
+
+TEST(ShapeReading, leaves_out_parts_that_hold_hardly_any_points)
+{
+    const Grid first = ball({0.3, 0.5, 0.5}, 0.15);
+    const Grid second = ball({0.75, 0.5, 0.5}, 0.1);
+    const Grid both = larger(first, second);
+    test::Points points = pointsAt(first);
+    const test::Points others = pointsAt(second);
+    points.insert(points.end(), others.begin(), others.begin() + 11);
+    const ShapeReading one = readShape(both, points, far, fewestVotes);
+    EXPECT_EQ(one.votes, ShapeReading::levelCount);
+    EXPECT_EQ(one.surface.components, 1);
+    for (const Corners &face : one.surface.soup.faces)
+        EXPECT_LT(one.surface.soup.points[face[0]].X(), 0.5);
+
+    points.push_back(others.back()); // the twelfth
+    EXPECT_EQ(readShape(both, points, far, fewestVotes).surface.components, 2);
+}
+
+TEST(ShapeReading, counts_the_points_that_are_far_from_the_surface)
+{
+    const Grid one = ball({0.5, 0.5, 0.5}, 0.2);
+    test::Points points = pointsAt(one);
+    const std::size_t near = points.size();
+    // Cells of the surface reach up to a radius of 0.2 + √3 / 32: two cells further, no point is
+    // near; one cell beyond the sphere, all are.
+    for (const Point3 &p : pointsAt(ball({0.5, 0.5, 0.5}, 0.2 + 1.0 / 32)))
+        points.push_back(p);
+    EXPECT_EQ(readShape(one, points, far, fewestVotes).surface.missedShare, 0);
+    points.resize(near);
+    for (std::size_t i = 0; i < near; ++i)
+        points.emplace_back(0.5, 0.5, 0.5);
+    EXPECT_EQ(readShape(one, points, far, fewestVotes).surface.missedShare, 0.5);
+}
+
+TEST(ShapeReading, of_a_field_without_an_inside_has_no_parts)
+{
+    const Grid nowhere(test::cube(8), -1);
+    const ShapeReading reading = readShape(nowhere, {{0.5, 0.5, 0.5}}, far, fewestVotes);
+    EXPECT_EQ(reading.surface.components, 0);
+    EXPECT_TRUE(reading.surface.soup.faces.empty());
+    EXPECT_EQ(reading.surface.missedShare, 1);
+}
+
+} // namespace
+} // namespace neuralmesh
