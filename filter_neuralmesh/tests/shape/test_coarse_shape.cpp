@@ -177,16 +177,17 @@ TEST(CoarseShape, leaves_out_parts_that_are_of_a_few_stray_points)
     Random random(3);
     test::Points points = sphere();
     for (int i = 0; i < 150; ++i) {
-        const double x = 4 * random.unit() - 2;
-        const double y = 4 * random.unit() - 2;
-        points.emplace_back(x, y, 4 * random.unit() - 2);
+        const double x = 2 * random.unit() - 1;
+        const double y = 2 * random.unit() - 1;
+        points.emplace_back(x, y, 2 * random.unit() - 1);
     }
     NeuralMesh mesh;
     const CoarseShape shape = shapeOf(points, mesh);
     EXPECT_TRUE(shape.isTrusted);
     EXPECT_EQ(shape.components, 1);
     EXPECT_EQ(shape.genus, 0);
-    EXPECT_NEAR(shape.missedShare, 0.043, 0.005); // of 150 in 3150, those not near the sphere
+    // 35 of 3150: the other stray points lie near the sphere, or held a part that was left out.
+    EXPECT_NEAR(shape.missedShare, 0.011, 0.003);
 }
 
 TEST(CoarseShape, does_not_trust_sheets_that_cross)
