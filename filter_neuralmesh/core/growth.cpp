@@ -39,7 +39,9 @@ constexpr std::size_t samplesPerConvergence = 2;
 /// Vertices at the first entry of the convergence.
 constexpr int firstDoubling = 8;
 
-/// Share of the time that growth takes, the fit takes the rest.
+/// Shares of the time until a start from the data is made, and until growth ends; the fit takes the
+/// rest.
+constexpr double shareOfStart = 0.05;
 constexpr double shareOfGrowth = 0.85;
 
 /// Signals between two calls of the progress callback.
@@ -349,7 +351,10 @@ private:
     void reportProgress()
     {
         // Each split takes λ signals, so the share of the vertices is the share of the work.
-        report(progress_, shareOfGrowth * network_.vertexCount() / parameters_.targetVertexCount,
+        const double start = startsFromData(parameters_) ? shareOfStart : 0;
+        report(progress_,
+               start +
+                   (shareOfGrowth - start) * network_.vertexCount() / parameters_.targetVertexCount,
                "Growing the network");
     }
 
@@ -402,7 +407,12 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
     parameters.validate();
     requireEnoughPoints(sampler, parameters.targetVertexCount);
     Random random = randomStream(parameters.seed, Purpose::growth);
-    const bool hasShape = startsFromData(parameters) && startFromData(mesh, sampler, parameters);
+    const Progress inStart = [&](double fraction, const char *activity) {
+        report(progress, shareOfStart * fraction, activity);
+        return true;
+    };
+    const bool hasShape =
+        startsFromData(parameters) && startFromData(mesh, sampler, parameters, inStart);
     const bool hasStart = hasShape || parameters.startMesh == StartMesh::given;
     if (sampler.isFlat() && (!hasStart || isClosed(mesh)))
         throw FlatTarget();

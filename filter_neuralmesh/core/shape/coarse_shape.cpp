@@ -29,6 +29,11 @@ constexpr double leastSide = 0.75;
 constexpr int firstRounds = 20;
 constexpr int finerRounds = 4;
 constexpr int roundsAfterFlood = 3;
+/// All of them, in rounds of the first grid: twice as many cells along each axis take eight times
+/// as long.
+constexpr double workOfAllGrids =
+    firstRounds + roundsAfterFlood + (finerRounds + roundsAfterFlood) * (8 + 64);
+static_assert(lastCells == 4 * firstCells, "Two grids follow the first.");
 /// Binomial smoothings of the sources in the first round of the first grid, of a finer one, and at
 /// the least in the last: wide kernels find the sides of the whole, narrow ones those of its parts.
 /// Where the points are sparse, so many for the squared spacing, in cells: the kernel's variance,
@@ -106,8 +111,10 @@ private:
 
 class ShapeSearch {
 public:
-    ShapeSearch(const std::vector<Point3> &points, std::size_t pointCount, const GridSize &cells)
-        : points_(points), pointCount_(static_cast<double>(pointCount)), field_(points, cells)
+    ShapeSearch(const std::vector<Point3> &points, std::size_t pointCount, const GridSize &cells,
+                const Progress &progress)
+        : points_(points), pointCount_(static_cast<double>(pointCount)), field_(points, cells),
+          progress_(progress)
     {
     }
 
@@ -146,7 +153,7 @@ private:
                      static_cast<int>(std::lround(smoothingsOfSpacing * spacing() * spacing())));
         const int first = std::max(smoothings, last);
         for (int round = 0; round < rounds; ++round)
-            field_.improve(first + (last - first) * round / (rounds - 1));
+            improve(first + (last - first) * round / (rounds - 1));
         const OutsideFlood flood(insideness(), points_,
                                  std::max(crustOfCells, crustOfSpacings * spacing()));
         isSheet_ = isSheet_ || flood.doubledShare() > shareOfSheet;
@@ -154,7 +161,14 @@ private:
             return;
         field_.holdOutside(flood.outside());
         for (int round = 0; round < roundsAfterFlood; ++round)
-            field_.improve(last);
+            improve(last);
+    }
+
+    void improve(int smoothings)
+    {
+        report(progress_, work_ / workOfAllGrids, "Learning the shape");
+        field_.improve(smoothings);
+        work_ += std::pow(resolution() / firstCells, 3);
     }
 
     /// Of the points, in cells; 0 until a first surface tells.
@@ -188,6 +202,8 @@ private:
     const std::vector<Point3> &points_;
     double pointCount_;
     WindingField field_;
+    const Progress &progress_;
+    double work_ = 0; ///< that is done, in rounds of the first grid
     TriangleSoup soup_;
     SurfaceSupport support_; ///< of the surface that was read last
     double spacingInGrid_ = 0;
@@ -197,7 +213,8 @@ private:
 } // namespace
 
 CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
-                            std::size_t pointCount, int vertices, double hole)
+                            std::size_t pointCount, int vertices, double hole,
+                            const Progress &progress)
 {
     const GridFrame frame(points);
     if (!frame.isProper())
@@ -206,7 +223,7 @@ CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
     inGrid.reserve(points.size());
     for (const Point3 &p : points)
         inGrid.push_back(frame.toGrid(p));
-    ShapeSearch search(inGrid, pointCount, frame.size());
+    ShapeSearch search(inGrid, pointCount, frame.size(), progress);
     CoarseShape shape = search.run();
     if (search.soup().faces.empty())
         return {};

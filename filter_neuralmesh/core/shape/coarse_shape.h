@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
+#include "neuralmesh/progress.h"
 
 namespace neuralmesh {
 
@@ -34,7 +35,11 @@ struct CoarseShape {
 /// The sides are those of a winding field (winding_field.h), corrected by what a flood from outside
 /// reaches (outside_flood.h). The grid is refined until the shape no longer changes; its level set
 /// is decimated. Parts that hardly any point supports are left out.
+///
+/// Tells `progress` the share of the work, as if the finest grid were needed, and throws Cancelled
+/// where it says so.
 CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
-                            std::size_t pointCount, int vertices, double hole);
+                            std::size_t pointCount, int vertices, double hole,
+                            const Progress &progress = {});
 
 } // namespace neuralmesh

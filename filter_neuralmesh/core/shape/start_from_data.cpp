@@ -20,7 +20,8 @@ constexpr std::size_t samplesPerPoint = 4;
 
 } // namespace
 
-bool startFromData(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters)
+bool startFromData(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
+                   const Progress &progress)
 {
     Random random = randomStream(parameters.seed, Purpose::shape);
     const std::size_t points = std::min(mostSamples, sampler.pointCount());
@@ -28,7 +29,7 @@ bool startFromData(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamet
     sampler.draw(random, std::min(mostSamples, samplesPerPoint * points), samples);
     const int vertices = std::min(mostVertices, parameters.targetVertexCount / 2);
     const CoarseShape shape = findCoarseShape(mesh, toVcg(samples), sampler.pointCount(), vertices,
-                                              parameters.maxHoleSize);
+                                              parameters.maxHoleSize, progress);
     return shape.isTrusted && mesh.vn <= parameters.targetVertexCount;
 }
 

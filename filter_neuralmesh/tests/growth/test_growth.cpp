@@ -2,6 +2,7 @@
 #include "core/growth.h"
 
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -179,6 +180,53 @@ TEST(Growth, progress_rises_from_nothing_to_all)
     });
     EXPECT_TRUE(rises);
     EXPECT_GT(last, 0.95);
+}
+
+GrowthParameters fromTheData(int target)
+{
+    GrowthParameters parameters = withTarget(target);
+    parameters.topology = Topology::learned;
+    return parameters;
+}
+
+TEST(Growth, progress_rises_from_nothing_to_all_with_a_start_from_the_data)
+{
+    const PointCloudSampler sampler(test::spherePoints(5000, 1));
+    NeuralMesh mesh;
+    double last = 0;
+    double endOfStart = -1;
+    bool rises = true;
+    grow(mesh, sampler, fromTheData(1000), [&](double fraction, const char *activity) {
+        const bool isStart = std::string(activity) == "Learning the shape";
+        rises = rises && fraction >= last - 0.02 && fraction <= 1; // collapses take a little back
+        rises = rises && (!isStart || fraction > endOfStart);
+        last = fraction;
+        if (isStart)
+            endOfStart = fraction;
+        return true;
+    });
+    EXPECT_TRUE(rises);
+    EXPECT_GT(endOfStart, 0); // the start said so
+    EXPECT_LT(endOfStart, 0.05);
+    EXPECT_GT(last, 0.95);
+}
+
+TEST(Growth, stops_within_a_start_from_the_data_when_progress_says_so)
+{
+    const PointCloudSampler sampler(test::spherePoints(5000, 1));
+    // At once, on the first grid, and on a finer one.
+    for (const int stopAt : {1, 5, 27}) {
+        NeuralMesh mesh;
+        int calls = 0;
+        std::string stoppedIn;
+        const Progress stop = [&](double, const char *activity) {
+            stoppedIn = activity;
+            return ++calls < stopAt;
+        };
+        EXPECT_THROW(grow(mesh, sampler, fromTheData(1000), stop), Cancelled);
+        EXPECT_EQ(calls, stopAt);
+        EXPECT_EQ(stoppedIn, "Learning the shape");
+    }
 }
 
 TEST(Growth, reports_errors_that_fall_as_the_network_grows)
