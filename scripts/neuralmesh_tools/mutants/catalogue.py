@@ -253,7 +253,7 @@ MUTANTS: tuple[Mutant, ...] = (
         _SHAPE,
         "        field_.holdOutside(flood.outside());",
         "",
-        ("CoarseShape.does_not_trust_sheets_that_cross",),
+        ("CoarseShape.has_no_handles_to_stray_points",),
     ),
     Mutant(
         "walls-not-felt",
