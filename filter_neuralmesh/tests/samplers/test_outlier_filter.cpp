@@ -66,13 +66,12 @@ TEST(OutlierFilter, counts_points_at_one_place_as_one)
 TEST(OutlierFilter, leaves_the_frame_to_the_others_however_far_it_is)
 {
     for (const std::size_t count : {std::size_t(5000), std::size_t(250000)})
-        for (const int zeros : {1, 30}) {
+        for (const std::size_t zeros : {1U, 30U}) {
             test::WorldPoints points = test::spherePoints(count, 1);
             const vcg::Point3d place(512345.6, 5403707.6, 356.1);
             for (vcg::Point3d &p : points)
                 p += place;
-            points.insert(points.begin() + 1000, static_cast<std::size_t>(zeros * count / 5000),
-                          vcg::Point3d(0, 0, 0));
+            points.insert(points.begin() + 1000, zeros * count / 5000, vcg::Point3d(0, 0, 0));
             const PointCloudSampler sampler(points);
             EXPECT_FALSE(sampler.isFlat());
             EXPECT_NEAR(sampler.frame().diagonal(), std::sqrt(12), 0.5);

@@ -74,10 +74,11 @@ TEST(ShapeReading, takes_the_simplest_shape_where_hardly_any_levels_agree)
     // Five blocks in a row, with the field just below each level in one of the four gaps.
     const Grid blocks = test::sampled({80, 16, 16}, [](const Point3 &p) {
         constexpr double heights[] = {-0.075, -0.025, 0.025, 0.075};
-        const int tenth = static_cast<int>(p.X() * 10); // odd ones are blocks, but for the last
-        if (std::max(std::abs(p.Y() - 0.1), std::abs(p.Z() - 0.1)) > 0.05 || p.X() < 0.1)
+        if (std::max(std::abs(p.Y() - 0.1), std::abs(p.Z() - 0.1)) > 0.05 || p.X() < 0.1 ||
+            p.X() > 0.96)
             return -1.0;
-        return tenth % 2 == 1 ? (p.X() > 0.96 ? -1.0 : 1.0) : heights[tenth / 2 - 1];
+        const int tenth = static_cast<int>(p.X() * 10); // odd ones are blocks
+        return tenth % 2 == 1 ? 1.0 : heights[tenth / 2 - 1];
     });
     const ShapeReading reading = readShape(blocks, pointsAt(blocks, 0.1F), far, fewestVotes);
     EXPECT_EQ(reading.votes, 1);
