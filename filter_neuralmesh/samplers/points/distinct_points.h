@@ -12,9 +12,10 @@ namespace neuralmesh {
 /// A set of places.
 class DistinctPoints {
 public:
-    explicit DistinctPoints(std::size_t expected) { seen_.reserve(expected); }
+    explicit DistinctPoints(std::size_t expected = 0) { seen_.reserve(expected); }
     /// Whether the place is new.
     bool insert(const Point3 &point) { return seen_.insert(point).second; }
+    bool contains(const Point3 &point) const { return seen_.count(point) > 0; }
     std::size_t size() const { return seen_.size(); }
 
 private:

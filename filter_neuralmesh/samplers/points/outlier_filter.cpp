@@ -13,13 +13,19 @@ namespace neuralmesh {
 namespace {
 
 /// Of fewer points, none is an outlier: each may have been set by hand.
-constexpr std::size_t leastPoints = 1000;
+constexpr std::size_t leastPoints = 500;
 constexpr std::size_t pilotPoints = 20000;
-/// Points whose distance to the fourth neighbour is measured.
+/// Points whose distance to the eighth neighbour is measured. Fewer neighbours than eight are found
+/// in the company of other outliers, too.
 constexpr std::size_t measuredPoints = 1000;
-constexpr int neighbours = 4;
-/// The radius, in medians of the distance to the fourth neighbour, at the least.
-constexpr double leastRatio = 3.5;
+constexpr int neighbours = 8;
+/// The radius, in medians of the distance to the eighth neighbour, at the least: at the corner of a
+/// sheet, a quarter of the disc holds twelve points.
+constexpr double leastRatio = 2.5;
+/// A stray is further from its neighbours than they from theirs by this factor, and off their plane
+/// by this share of that distance.
+constexpr double strayRatio = 1.7;
+constexpr double strayHeight = 0.5;
 /// The radius, in standard deviations of the logarithm of that distance above its median.
 constexpr double deviations = 4;
 /// Median absolute deviation to standard deviation, of a normal distribution.
@@ -27,7 +33,7 @@ constexpr double madToDeviation = 1.4826;
 /// Neighbours by which a surface is told from a cloud, and the surface variation up to which it is
 /// one. Nine points at random in space have 0.118 in the median, on a sphere of 400 points 0.003.
 constexpr int surfaceNeighbours = 8;
-constexpr double mostSurfaceVariation = 0.06;
+constexpr double mostSurfaceVariation = 0.02;
 /// Above this share of the places there are no outliers.
 constexpr double mostOutliers = 0.2;
 
@@ -59,6 +65,33 @@ public:
         for (int i = 0; i < queue_.getNofElements(); ++i)
             furthest = std::max(furthest, static_cast<double>(queue_.getWeight(i)));
         return std::sqrt(furthest); // weights are squared distances
+    }
+
+    /// Whether a pilot point is off the plane of its k neighbours, and far from them as they are
+    /// from theirs.
+    bool strays(std::size_t index, const std::vector<double> &distances, int k)
+    {
+        const Point3 &point = pilot_[index];
+        tree_.doQueryK(point, k + 1, queue_);
+        std::vector<std::size_t> others;
+        std::vector<double> theirs;
+        for (int i = 0; i < queue_.getNofElements(); ++i) {
+            const auto other = static_cast<std::size_t>(queue_.getIndex(i));
+            if (other == index)
+                continue;
+            others.push_back(other);
+            theirs.push_back(distances[other]);
+        }
+        const double usual = median(std::move(theirs));
+        if (distances[index] <= strayRatio * usual)
+            return false;
+        std::vector<Point3> around;
+        for (const std::size_t other : others)
+            if (distances[other] <= strayRatio * usual) // no stray itself
+                around.push_back(pilot_[other]);
+        const PrincipalAxes frame = principalAxes(around);
+        const double height = std::abs(frame.axes.col(0).dot(toEigen(point) - frame.mean));
+        return height > strayHeight * distances[index];
     }
 
     /// Surface variation (Pauly 2002) of a point and its k neighbours: the least eigenvalue's share
@@ -107,6 +140,19 @@ std::vector<Point3> withoutRepetitions(const std::vector<Point3> &points)
     return distinct;
 }
 
+std::vector<Point3> straysAmong(const std::vector<Point3> &pilot, PilotTree &tree)
+{
+    std::vector<double> distances;
+    distances.reserve(pilot.size());
+    for (const Point3 &point : pilot)
+        distances.push_back(tree.distance(point, neighbours));
+    std::vector<Point3> strays;
+    for (std::size_t i = 0; i < pilot.size(); ++i)
+        if (tree.strays(i, distances, neighbours))
+            strays.push_back(pilot[i]);
+    return strays;
+}
+
 /// Whether points that stand alone lie on surfaces of their own all the same, only sparser ones.
 bool lieOnSurfaces(const std::vector<Point3> &alone)
 {
@@ -132,9 +178,12 @@ OutlierFilter::OutlierFilter(const std::vector<Point3> &points, const Box3 &boun
         pilotGrid_.insert(static_cast<VertexId>(i), pilot[i]);
     PilotTree tree(pilot);
     radius_ = measureRadius(tree, pilot);
+    if (drawn.size() == points.size())
+        for (const Point3 &point : straysAmong(pilot, tree))
+            strays_.insert(point);
     std::vector<Point3> alone;
     for (const Point3 &point : pilot)
-        if (standsAlone(point))
+        if (standsAlone(point) || strays_.contains(point))
             alone.push_back(point);
         else
             bounds_.Add(point);
@@ -143,8 +192,9 @@ OutlierFilter::OutlierFilter(const std::vector<Point3> &points, const Box3 &boun
         static_cast<double>(alone.size()) > mostOutliers * static_cast<double>(pilot.size()) ||
         lieOnSurfaces(alone))
         return;
-    const auto outliers = std::count_if(drawn.begin(), drawn.end(),
-                                        [&](const Point3 &point) { return standsAlone(point); });
+    const auto outliers = std::count_if(drawn.begin(), drawn.end(), [&](const Point3 &point) {
+        return standsAlone(point) || strays_.contains(point);
+    });
     share_ = static_cast<double>(outliers) / static_cast<double>(drawn.size());
 }
 

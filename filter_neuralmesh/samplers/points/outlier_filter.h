@@ -4,18 +4,22 @@
 #include <vector>
 
 #include "core/space/vertex_grid.h"
+#include "samplers/points/distinct_points.h"
 
 namespace neuralmesh {
 
 /// Tells points that stand alone from points of a surface, in constant time for each, whatever the
 /// size of the cloud: by how many of at most 20,000 pilot points lie around.
 ///
-/// A point is an outlier where fewer than four pilot points lie within a radius that is several
-/// times the usual distance to the fourth. Where the density of the cloud varies, so does that
-/// distance, and the radius grows with its spread. None is an outlier in a cloud of fewer than
-/// 1,000 points, where more than a fifth of the places would be, or where those that would be lie
-/// on surfaces of their own, as a sparsely scanned part does: that is how the cloud is, not dirt in
-/// it. Points at the very same place count as one: invalid returns are often stored as 0 0 0.
+/// A point is an outlier where fewer than eight pilot points lie within a radius that is several
+/// times the usual distance to the eighth. Where the density of the cloud varies, so does that
+/// distance, and the radius grows with its spread. In a cloud that is all pilot points, where a
+/// single one can move a vertex, so is one off the plane of its neighbours which is further from
+/// them than they are from theirs (local outlier factor, Breunig et al. 2000). None is an outlier
+/// in a cloud of fewer than 1,000 points, where more than a fifth of the places would be, or where
+/// those that would be lie on surfaces of their own, as a sparsely scanned part does: that is how
+/// the cloud is, not dirt in it. Points at the very same place count as one: invalid returns are
+/// often stored as 0 0 0.
 class OutlierFilter {
 public:
     /// Learns from the points, in the unit frame.
@@ -30,12 +34,16 @@ public:
     /// Of the pilot points that are no outliers, and as far around as these reach.
     const Box3 &bounds() const { return bounds_; }
 
-    bool isOutlier(const Point3 &point) const { return isActive() && standsAlone(point); }
+    bool isOutlier(const Point3 &point) const
+    {
+        return isActive() && (standsAlone(point) || strays_.contains(point));
+    }
 
 private:
     bool standsAlone(const Point3 &point) const;
 
     VertexGrid pilotGrid_;
+    DistinctPoints strays_; ///< not alone, but off the surface of their neighbours
     Box3 bounds_;
     Scalar radius_ = 0;
     double share_ = 0;

@@ -80,6 +80,49 @@ TEST(OutlierFilter, leaves_the_frame_to_the_others_however_far_it_is)
         }
 }
 
+TEST(OutlierFilter, finds_strays_that_are_near_enough_to_a_surface_not_to_be_alone)
+{
+    // 0.2 off a sphere of 3,000 points, 3 spacings: a radius of 4 spacings holds more than eight.
+    std::vector<Point3> points = test::spherePoints(3000, 1);
+    for (std::size_t i = 0; i < 60; ++i)
+        points.push_back(points[50 * i] * 1.2);
+    const OutlierFilter filter(points, boundsOf(points));
+    ASSERT_TRUE(filter.isActive());
+    int found = 0, wrong = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        (i < 3000 ? wrong : found) += filter.isOutlier(points[i]) ? 1 : 0;
+    EXPECT_GE(found, 54);
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST(OutlierFilter, keeps_the_points_beside_a_denser_part)
+{
+    // Half a square is sixteen times as dense: at the seam, neighbours are nearer to each other.
+    Random random(6);
+    std::vector<Point3> points;
+    for (int i = 0; i < 8500; ++i) {
+        const Point3 p = test::inUnitCube(random);
+        points.emplace_back((i < 8000 ? 0 : 0.5) + 0.5 * p.X(), p.Y(), 0);
+    }
+    const OutlierFilter filter(points, boundsOf(points));
+    EXPECT_LT(filter.share(), 0.001);
+}
+
+TEST(OutlierFilter, does_not_take_the_company_of_outliers_in_a_thin_box_for_a_surface)
+{
+    // A frame of bars; what is between them lies in a box that is thirteen times as wide as high.
+    Random random(7);
+    std::vector<Point3> points;
+    for (int i = 0; i < 4200; ++i) {
+        Point3 p = test::inUnitCube(random) * 2 - Point3(1, 1, 1);
+        p.Z() *= 0.075;
+        if (i < 4000)
+            p[i % 2] = std::copysign(1 - 0.15 * std::floor(2 * random.unit()), p[i % 2]);
+        points.push_back(p);
+    }
+    EXPECT_TRUE(OutlierFilter(points, boundsOf(points)).isActive());
+}
+
 TEST(OutlierFilter, takes_a_sparse_half_for_a_surface)
 {
     // The lower half holds a twenty-fifth of the points: five times the spacing.
@@ -94,7 +137,7 @@ TEST(OutlierFilter, takes_a_sparse_half_for_a_surface)
 
 TEST(OutlierFilter, leaves_small_clouds_alone)
 {
-    std::vector<Point3> points = test::spherePoints(900, 6);
+    std::vector<Point3> points = test::spherePoints(450, 6);
     points.emplace_back(9, 9, 9);
     const OutlierFilter filter(points, boundsOf(points));
     EXPECT_FALSE(filter.isActive());
