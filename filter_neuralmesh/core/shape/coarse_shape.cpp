@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/enumeration.h"
 #include "core/mesh/manifold_mesh.h"
+#include "core/mesh/mesh_checks.h"
+#include "core/mesh/triangle.h"
 #include "core/shape/membrane_opening.h"
 #include "core/shape/outside_flood.h"
 #include "core/shape/quadric_decimation.h"
@@ -43,9 +46,10 @@ constexpr int finerSmoothings = 4;
 constexpr int leastSmoothings = 2;
 constexpr double smoothingsOfSpacing = 1.2;
 
-/// The crust around the points, in cells; and in spacings of the points, where these are sparse.
+/// The crust around the points, in cells; and in spacings of the points, where these are sparse:
+/// the widest gaps between random points, through which the flood would get into walls.
 constexpr double crustOfCells = 1.5;
-constexpr double crustOfSpacings = 1.0;
+constexpr double crustOfSpacings = 1.6;
 
 /// Share of the surface that the flood would double, from which the points are taken for an open
 /// sheet: then the field closes it to one side by a membrane, and the flood says nothing.
@@ -210,6 +214,23 @@ private:
     bool isSheet_ = false;
 };
 
+/// Takes out the components whose area is less than that, but for the largest: crumbs of a membrane
+/// that was taken out.
+void removeCrumbs(NeuralMesh &mesh, double leastArea)
+{
+    const std::vector<int> label = labelComponents(mesh);
+    const auto of = [&](VertexId v) { return static_cast<std::size_t>(label[v]); };
+    std::vector<double> areas(label.size(), 0);
+    forEachFace(mesh, [&](VertexId a, VertexId b, VertexId c) {
+        areas[of(a)] += area(Triangle{mesh.position(a), mesh.position(b), mesh.position(c)});
+    });
+    const double least = std::min(leastArea, *std::max_element(areas.begin(), areas.end()));
+    forEachVertex(mesh, [&](VertexId v) {
+        if (areas[of(v)] < least)
+            mesh.removeVertex(v);
+    });
+}
+
 } // namespace
 
 CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
@@ -231,6 +252,8 @@ CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
         openMembranes(search.soup(), search.support().ofFace, frame.areaOfHole(hole));
     shape.openings = opening.openings;
     makeManifold(mesh, search.soup().points, opening.faces, Boundaries::allowed);
+    removeCrumbs(mesh, ShapeReading::leastPoints * areaOf(search.soup()) /
+                           static_cast<double>(points.size()));
     decimate(mesh, vertices);
     for (NeuralVertex &vertex : mesh.vert)
         vertex.P() = frame.fromGrid(vertex.P());

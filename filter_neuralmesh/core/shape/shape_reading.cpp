@@ -15,9 +15,6 @@ constexpr float levels[ShapeReading::levelCount] = {0, -0.05F, 0.05F, -0.1F, 0.1
 constexpr float lowestLevel = -0.1F;
 constexpr float highestLevel = 0.1F;
 
-/// A part of the surface counts where it has at least so many points for its own.
-constexpr double leastPoints = 12;
-
 /// Numbers the connected parts of the soup's vertices; returns how many there are.
 int labelParts(const TriangleSoup &soup, std::vector<int> &label)
 {
@@ -113,12 +110,12 @@ LevelSurface judge(TriangleSoup soup, const std::vector<Point3> &points, int rea
     for (const Corners &face : soup.faces) {
         const auto part = static_cast<std::size_t>(label[face[0]]);
         ++faces[part];
-        if (held[part] >= leastPoints)
+        if (held[part] >= ShapeReading::leastPoints)
             surface.soup.faces.push_back(face);
     }
     double eulerHalves = 0; // V - E + F = V - F / 2
     for (std::size_t part = 0; part < parts; ++part)
-        if (held[part] >= leastPoints) {
+        if (held[part] >= ShapeReading::leastPoints) {
             ++surface.components;
             eulerHalves += corners[part] - faces[part] / 2;
         }

@@ -28,6 +28,8 @@ struct LevelSurface {
 struct ShapeReading {
     /// Levels at which the shape is read.
     static constexpr int levelCount = 5;
+    /// A part of the surface counts where it has at least so many points for its own.
+    static constexpr double leastPoints = 12;
 
     /// With the shape of most levels, from the level nearest to 0 that has it; where fewer than
     /// `fewestVotes` agree, the simplest.

@@ -2,6 +2,7 @@
 #include "core/topology/sheet_doubling.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/mesh/boundary.h"
 #include "core/mesh/enumeration.h"
@@ -215,7 +216,16 @@ std::vector<VertexId> OpenSheets::vertices() const
 
 std::vector<Doubled> doubleSheets(NeuralMesh &mesh, const std::vector<VertexId> &sheets)
 {
-    return Doubling(mesh, sheets).run();
+    const std::vector<int> label = labelComponents(mesh);
+    std::map<int, std::vector<VertexId>> components;
+    for (const VertexId v : sheets)
+        components[label[v]].push_back(v);
+    std::vector<Doubled> doubled;
+    for (const auto &component : components) {
+        const std::vector<Doubled> added = Doubling(mesh, component.second).run();
+        doubled.insert(doubled.end(), added.begin(), added.end());
+    }
+    return doubled;
 }
 
 } // namespace neuralmesh

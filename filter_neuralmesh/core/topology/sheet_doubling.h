@@ -47,8 +47,8 @@ using Doubled = std::pair<VertexId, VertexId>;
 /// Sews a mirrored copy of each component in `sheets`, all of its vertices, to its boundary, which
 /// leaves it closed, with the copies where the vertices are. An edge across the sheet from boundary
 /// to boundary would be one of four faces: on one of the two sides it is flipped, so that the sides
-/// do not pass through each other once they are parted. Where no flip can help, or a sheet is a
-/// single triangle, nothing is doubled, and the result is empty.
+/// do not pass through each other once they are parted. A component where no flip can help, or that
+/// is a single triangle, stays as it is.
 std::vector<Doubled> doubleSheets(NeuralMesh &mesh, const std::vector<VertexId> &sheets);
 
 } // namespace neuralmesh
