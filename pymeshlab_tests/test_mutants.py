@@ -12,8 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from neuralmesh_tools.mutants.build import BuildFailed, BuiltTests
-from neuralmesh_tools.mutants.catalogue import FOLDER, MUTANTS, Mutant, Stale
+from neuralmesh_tools.changed_build import BuildFailed, BuiltProgram, Stale
+from neuralmesh_tools.mutants.catalogue import FOLDER, MUTANTS, Mutant
 from neuralmesh_tools.mutants.command_line import Unusable, main, selected
 from neuralmesh_tools.mutants.run import failing_tests
 from neuralmesh_tools.project import ROOT
@@ -93,7 +93,7 @@ def test_the_list_names_each_with_its_tests(capsys: pytest.CaptureFixture[str]) 
 
 def test_a_folder_without_a_build_is_a_sentence(tmp_path: Path) -> None:
     with pytest.raises(BuildFailed, match="holds no build: run scripts/build release"):
-        BuiltTests(tmp_path, tmp_path)
+        BuiltProgram(tmp_path, tmp_path)
 
 
 END = "echo '[==========] 2 tests from 1 test suite ran. (1 ms total)'"

@@ -10,11 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from neuralmesh_tools.changed_build import changed_text
+
 FOLDER = "filter_neuralmesh"
-
-
-class Stale(RuntimeError):
-    """A mutant no longer fits the source; the message says which and why."""
 
 
 @dataclass(frozen=True)
@@ -42,13 +40,7 @@ class Mutant:
 
         Raises Stale if the file is not there or does not hold the text exactly once.
         """
-        file = root / self.path
-        if not file.is_file():
-            raise Stale(f"{self.name}: there is no {self.path}; its text has moved.")
-        source = file.read_text(encoding="utf-8")
-        if (count := source.count(self.text)) != 1:
-            raise Stale(f"{self.name}: {self.path} holds its text {count} times, not once.")
-        return source.replace(self.text, self.replacement)
+        return changed_text(root, self.path, self.text, self.replacement, self.name)
 
 
 _NETWORK = "core/network/growing_network.cpp"

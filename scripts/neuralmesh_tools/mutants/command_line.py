@@ -12,8 +12,8 @@ import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 
-from neuralmesh_tools.mutants.build import BuildFailed, BuiltTests
-from neuralmesh_tools.mutants.catalogue import MUTANTS, Mutant, Stale
+from neuralmesh_tools.changed_build import BuildFailed, BuiltProgram, Stale
+from neuralmesh_tools.mutants.catalogue import MUTANTS, Mutant
 from neuralmesh_tools.mutants.run import Verdict, failing_tests, judge_all
 from neuralmesh_tools.project import ROOT
 
@@ -76,7 +76,7 @@ def _say(verdict: Verdict) -> None:
 def _judge(mutants: Sequence[Mutant], jobs: int) -> int:
     for mutant in mutants:
         mutant.applied(ROOT)
-    build = BuiltTests(ROOT, ROOT / "build" / "release")
+    build = BuiltProgram(ROOT, ROOT / "build" / "release")
     own = sorted({test for mutant in mutants for test in mutant.tests})
     if failing := failing_tests(build.executable, own):
         raise Unusable(f"Without any change these fail: {', '.join(failing)}.")

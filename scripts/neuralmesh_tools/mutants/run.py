@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from neuralmesh_tools.mutants.build import BuiltTests
+from neuralmesh_tools.changed_build import BuiltProgram
 from neuralmesh_tools.mutants.catalogue import Mutant
 
 # A mutant may make a loop endless. The tests of one take seconds, all of them less than a minute.
@@ -57,7 +57,7 @@ def failing_tests(executable: Path, tests: Iterable[str] = ("*",)) -> tuple[str,
     return tuple(failed)
 
 
-def judge(build: BuiltTests, mutant: Mutant, root: Path, scratch: Path) -> Verdict:
+def judge(build: BuiltProgram, mutant: Mutant, root: Path, scratch: Path) -> Verdict:
     """Build and test one mutant. scratch is a folder that is made and removed again."""
     start = time.monotonic()
     scratch.mkdir(parents=True)
@@ -72,7 +72,7 @@ def judge(build: BuiltTests, mutant: Mutant, root: Path, scratch: Path) -> Verdi
 
 
 def judge_all(
-    build: BuiltTests, mutants: Iterable[Mutant], root: Path, scratch: Path, jobs: int
+    build: BuiltProgram, mutants: Iterable[Mutant], root: Path, scratch: Path, jobs: int
 ) -> Iterator[Verdict]:
     """Judge mutants, several at a time, and yield the verdicts in their order."""
     with ThreadPoolExecutor(jobs) as pool:

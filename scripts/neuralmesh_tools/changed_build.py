@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Builds the C++ tests with one source file changed, beside the build that is there.
+"""Builds a C++ program with one source file changed, beside the build that is there.
 
 The changed text never enters the checkout: it is compiled from a folder of its own by the very
-commands of the build, and the tests are linked again with the new object files in place of the
+commands of the build, and the program is linked again with the new object files in place of the
 old ones. That takes seconds, where a copy of the tree would be built from nothing.
 """
 
@@ -13,8 +13,7 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
-TARGET = "neuralmesh_tests"
-EXECUTABLE = f"filter_neuralmesh/tests/{TARGET}"
+TESTS = "filter_neuralmesh/tests/neuralmesh_tests"
 INCLUDED_FROM = Path("filter_neuralmesh")  # what "core/..." is relative to
 
 
@@ -22,26 +21,49 @@ class BuildFailed(RuntimeError):
     """A command of the build failed; the message holds its output."""
 
 
-class BuiltTests:
-    """The build of the C++ tests in a folder that cmake and Ninja have filled."""
+class Stale(RuntimeError):
+    """A change no longer fits the source; the message says which and why."""
 
-    def __init__(self, root: Path, folder: Path) -> None:
-        """Bring the build in `folder` of the checkout `root` up to date, and learn its commands."""
+
+def changed_text(root: Path, path: str, text: str, replacement: str, name: str) -> str:
+    """Return what a file holds with a text, which stands in it exactly once, replaced.
+
+    Raises Stale, naming the change, if the file is not there or does not hold the text once.
+    """
+    file = root / path
+    if not file.is_file():
+        raise Stale(f"{name}: there is no {path}; its text has moved.")
+    source = file.read_text(encoding="utf-8")
+    if (count := source.count(text)) != 1:
+        raise Stale(f"{name}: {path} holds its text {count} times, not once.")
+    return source.replace(text, replacement)
+
+
+class BuiltProgram:
+    """The build of a C++ program in a folder that cmake and Ninja have filled."""
+
+    def __init__(self, root: Path, folder: Path, program: str = TESTS) -> None:
+        """Bring the build in `folder` of the checkout `root` up to date, and learn its commands.
+
+        `program` is the executable's path in the folder. Its name is its target's.
+        """
         self._root = root
         self.folder = folder
+        self._program = program
+        self._target = Path(program).name
         if not (folder / "build.ninja").is_file():
             raise BuildFailed(f"{folder} holds no build: run scripts/build release")
-        self._ninja(TARGET)
-        self._commands = self._ninja("-t", "commands", TARGET).splitlines()
+        self._ninja(self._target)
+        self._commands = self._ninja("-t", "commands", self._target).splitlines()
         self._dependents = self._read_dependents(self._ninja("-t", "deps"))
 
     @property
     def executable(self) -> Path:
-        """The tests as they are, without any change."""
-        return self.folder / EXECUTABLE
+        """The program as it is, without any change."""
+        return self.folder / self._program
 
     def with_change(self, file: str, text: str, scratch: Path) -> Path:
-        """Return the tests built with other text in a file (from the root, .h or .cpp).
+        """Return the program built with other text in a file (from the root, .h or .cpp).
 
         scratch is an empty folder that takes all that is made.
         """
@@ -53,7 +75,7 @@ class BuiltTests:
             objects[old] = scratch / f"{number}.o"
             self._compile(old, objects[old], file, changed, scratch)
         if not objects:
-            raise BuildFailed(f"no object of {TARGET} depends on {file}")
+            raise BuildFailed(f"no object of {self._target} depends on {file}")
         return self._link(objects, scratch)
 
     def _compile(self, old: str, new: Path, file: str, changed: Path, scratch: Path) -> None:
@@ -66,9 +88,9 @@ class BuiltTests:
         _run(words, self.folder)
 
     def _link(self, objects: dict[str, Path], scratch: Path) -> Path:
-        linked = scratch / TARGET
-        commands = self._only_command(f" -o {EXECUTABLE} ").split(" && ")
-        words = shlex.split(next(c for c in commands if f" -o {EXECUTABLE} " in c))
+        linked = scratch / self._target
+        commands = self._only_command(f" -o {self._program} ").split(" && ")
+        words = shlex.split(next(c for c in commands if f" -o {self._program} " in c))
         words = [str(objects.pop(word)) if word in objects else word for word in words]
         # An object file that is given goes before a member of a library with the same symbols.
         place = words.index("-o")
