@@ -6,6 +6,12 @@
 
 namespace neuralmesh {
 
+/// Vertices from which a network is no longer young: see isYoung().
+inline constexpr int youngVertices = 500;
+/// Samples for each vertex that tell where the target space is, at step 6; with the paper's rules.
+inline constexpr int samplesOfSupport = 12;
+inline constexpr int samplesOfSupportInPaper = 6;
+
 struct LearningRules {
     /// Step 2. The paper's winner is the nearest vertex. Where the nearest face is of another
     /// sheet, here it is the nearest corner of that face: otherwise each of two walls that are
@@ -35,10 +41,16 @@ struct LearningRules {
     int supportPerVertex;
 
     /// The paper's rules.
-    static constexpr LearningRules ofPaper() { return {false, false, false, false, false, 6}; }
+    static constexpr LearningRules ofPaper()
+    {
+        return {false, false, false, false, false, samplesOfSupportInPaper};
+    }
 
     /// The rules that measured best.
-    static constexpr LearningRules refined() { return {true, true, true, true, true, 12}; }
+    static constexpr LearningRules refined()
+    {
+        return {true, true, true, true, true, samplesOfSupport};
+    }
 
     static constexpr LearningRules of(SplitRule rule)
     {
@@ -49,7 +61,7 @@ struct LearningRules {
 /// Whether a network of so many vertices is still finding the limbs of its target.
 constexpr bool isYoung(int vertices)
 {
-    return vertices < 500;
+    return vertices < youngVertices;
 }
 
 } // namespace neuralmesh
