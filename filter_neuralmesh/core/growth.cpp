@@ -2,7 +2,6 @@
 #include "core/growth.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "core/fit/intersection_repair.h"
@@ -20,6 +19,7 @@
 #include "core/shape/start_from_data.h"
 #include "core/space/morton_order.h"
 #include "core/space/plain_points.h"
+#include "core/space/point_spacing.h"
 #include "core/topology/sheet_doubling.h"
 #include "core/topology/starting_mesh.h"
 
@@ -51,9 +51,6 @@ constexpr std::size_t signalsPerReport = 10000;
 constexpr int consolidationRounds = 10;
 /// Samples of a census for each vertex: one with the average share misses all with e^-10.
 constexpr std::size_t censusPerVertex = 10;
-/// Points for each vertex that tell as much as any number of samples. Where there are fewer, a
-/// sample counts as near from further away: their spacing grows as the root of their number falls.
-constexpr double pointsPerVertex = 5;
 
 /// Growth has come to a stop where it gains less than this share of its vertices...
 constexpr double leastGain = 0.05;
@@ -330,9 +327,8 @@ private:
 
     SampleSupport supportOfBatch() const
     {
-        const double points = static_cast<double>(sampler_.pointCount()) / network_.vertexCount();
         return {toVcg(sampler_.bounds()), batch_,
-                std::sqrt(std::max(1.0, pointsPerVertex / points))};
+                wideningForFewPoints(sampler_.pointCount(), network_.vertexCount())};
     }
 
     bool hasStagnated()

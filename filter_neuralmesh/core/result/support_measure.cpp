@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/result/support_measure.h"
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "core/mesh/enumeration.h"
 #include "core/mesh/triangle.h"
 #include "core/space/morton_order.h"
 #include "core/space/plain_points.h"
+#include "core/space/point_spacing.h"
 #include "core/topology/sample_support.h"
 
 namespace neuralmesh {
 namespace {
-
-/// Points for each vertex from which the points' spacing is well below the mesh's edges.
-constexpr double manyPointsPerVertex = 5;
 
 double meanEdgeLength(const NeuralMesh &mesh)
 {
@@ -51,10 +47,8 @@ SupportFigures measureSupport(const GrowingNetwork &network, const Sampler &samp
     sampler.draw(random, samplesPerVertex * static_cast<std::size_t>(network.vertexCount()), drawn);
     std::vector<Point3> samples;
     MortonOrder(sampler.bounds()).sort(drawn, samples);
-    const double pointsPerVertex =
-        static_cast<double>(sampler.pointCount()) / network.vertexCount();
     const double far = meanEdgeLength(network.mesh()) *
-                       std::sqrt(std::max(1.0, manyPointsPerVertex / pointsPerVertex));
+                       wideningForFewPoints(sampler.pointCount(), network.vertexCount());
     std::size_t near = 0;
     VertexId nearest = noVertex;
     for (const Point3 &sample : samples) {

@@ -15,7 +15,7 @@ namespace {
 
 /// Points from which outliers, flatness and claimed bounds are judged: as many as the outlier
 /// filter looks at in a cloud in memory.
-constexpr std::uint64_t pilotPoints = 20000;
+constexpr std::uint64_t pilotPoints = OutlierFilter::pilotPoints;
 
 /// Bounds that a header claims are believed where no pilot point lies outside by more than this
 /// share of their diagonal, and where the pilot points fill this share of it.

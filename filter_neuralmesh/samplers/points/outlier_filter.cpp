@@ -14,7 +14,6 @@ namespace {
 
 /// Of fewer points, none is an outlier: each may have been set by hand.
 constexpr std::size_t leastPoints = 500;
-constexpr std::size_t pilotPoints = 20000;
 /// Points whose distance to the eighth neighbour is measured. Fewer neighbours than eight are found
 /// in the company of other outliers, too.
 constexpr std::size_t measuredPoints = 1000;

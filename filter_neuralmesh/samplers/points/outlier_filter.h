@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/space/vertex_grid.h"
@@ -22,6 +23,9 @@ namespace neuralmesh {
 /// often stored as 0 0 0.
 class OutlierFilter {
 public:
+    /// Pilot points at the most.
+    static constexpr std::size_t pilotPoints = 20000;
+
     /// Learns from the points, in the unit frame.
     OutlierFilter(const std::vector<Point3> &points, const Box3 &bounds);
 

@@ -157,8 +157,8 @@ MUTANTS: tuple[Mutant, ...] = (
         "points-as-dense-as-samples",
         "a sample counts as near from further away where points are few",
         "core/growth.cpp",
-        "std::sqrt(std::max(1.0, pointsPerVertex / points))",
-        "(static_cast<void>(points), static_cast<void>(pointsPerVertex), 1.0)",
+        "wideningForFewPoints(sampler_.pointCount(), network_.vertexCount())",
+        "1.0",
         ("Shapes.few_points_are_no_reason_to_look_for_webs_everywhere",),
     ),
     Mutant(
