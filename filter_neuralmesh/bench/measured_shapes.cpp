@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/measured_shapes.h"
+
+#include "neuralmesh/samplers.h"
+
+namespace neuralmesh::bench {
+namespace {
+
+using test::Body;
+using test::box;
+using test::capsule;
+using test::Shape;
+using test::WorldPoints;
+using Place = vcg::Point3d;
+
+constexpr std::size_t manyPoints = 20000;
+/// Hardly more than vertices.
+constexpr std::size_t fewPoints = 3000;
+
+Body moved(const Body &body, const Place &by)
+{
+    return {[=](const Place &p) { return body.distance(p - by); },
+            [=](Random &random) { return body.draw(random) + by; }, body.area};
+}
+
+/// Upright, with flat ends.
+Body cylinder(const Place &foot, double radius, double height)
+{
+    const double wall = 2 * M_PI * radius * height;
+    const double area = wall + 2 * M_PI * radius * radius;
+    const auto distance = [=](const Place &p) {
+        const double across = std::hypot(p[0] - foot[0], p[1] - foot[1]) - radius;
+        const double along = std::abs(p[2] - foot[2] - height / 2) - height / 2;
+        return across > 0 && along > 0 ? std::hypot(across, along) : std::max(across, along);
+    };
+    const auto draw = [=](Random &random) {
+        const double angle = 2 * M_PI * random.unit();
+        const bool isOnWall = random.unit() * area < wall;
+        const double r = isOnWall ? radius : radius * std::sqrt(random.unit());
+        const double z = isOnWall ? height * random.unit() : (random.below(2) == 0 ? 0 : height);
+        return foot + Place(r * std::cos(angle), r * std::sin(angle), z);
+    };
+    return {distance, draw, area};
+}
+
+/// A palm and five fingers, which meet in narrow angles.
+Shape hand()
+{
+    std::vector<Body> bodies{capsule({0, 0, 0}, {0, 0.8, 0}, 0.5)};
+    for (int finger = 0; finger < 5; ++finger) {
+        const double angle = M_PI * (90 - 28 * (finger - 2)) / 180;
+        const Place direction(std::cos(angle), std::sin(angle), 0);
+        const Place root = Place(0, 0.8, 0) + direction * 0.3;
+        bodies.push_back(
+            capsule(root, root + direction * (1.3 - 0.1 * std::abs(finger - 2)), 0.11));
+    }
+    return Shape(bodies);
+}
+
+/// A plate with fins, a sheet that lies in folds: gaps and walls are a few edges wide.
+Shape radiator()
+{
+    std::vector<Body> bodies{box({2, 1, 0.3})};
+    for (int fin = 0; fin < 3; ++fin)
+        bodies.push_back(moved(box({0.25, 1, 0.8}), {0.75 * fin + 0.125, 0, 0}));
+    return Shape(bodies);
+}
+
+/// Flat faces that meet in creases, one of them round.
+Shape bracket()
+{
+    return Shape({box({2, 1, 0.25}), box({0.25, 1, 1.2}), cylinder({1.3, 0.5, 0}, 0.35, 0.8)});
+}
+
+/// A ball with twelve more, whose creases are hollow.
+Shape raspberry()
+{
+    std::vector<Body> bodies{capsule({0, 0, 0}, {0, 0, 0}, 1)};
+    const double golden = (1 + std::sqrt(5.0)) / 2;
+    for (const double one : {-1.0, 1.0})
+        for (const double other : {-golden, golden})
+            for (int axis = 0; axis < 3; ++axis) {
+                Place centre(0, 0, 0);
+                centre[axis] = one;
+                centre[(axis + 1) % 3] = other;
+                centre *= 0.8 / centre.Norm();
+                bodies.push_back(capsule(centre, centre, 0.42));
+            }
+    return Shape(bodies);
+}
+
+Shape plate()
+{
+    return Shape({moved(box({1.5, 1, 0.05}), {-0.75, -0.5, -0.025})});
+}
+
+Shape ball()
+{
+    return Shape({capsule({0, 0, 0}, {0, 0, 0}, 1)});
+}
+
+/// Half of a hollow ball, without thickness and with an edge.
+Shape bowl()
+{
+    const auto distance = [](const Place &p) {
+        return p[2] >= 0 ? std::abs(p.Norm() - 1) : std::hypot(std::hypot(p[0], p[1]) - 1, p[2]);
+    };
+    const auto draw = [](Random &random) {
+        Place p = test::randomDirection(random);
+        p[2] = std::abs(p[2]);
+        return p;
+    };
+    return Shape({{distance, draw, 2 * M_PI}});
+}
+
+/// By Box and Muller's method.
+double normal(Random &random)
+{
+    const double radius = std::sqrt(-2 * std::log(1 - random.unit()));
+    return radius * std::cos(2 * M_PI * random.unit());
+}
+
+WorldPoints withNoise(WorldPoints points, double percent, std::uint64_t seed)
+{
+    const double deviation = percent / 100 * diagonalOf(points);
+    Random random(seed + 1000);
+    for (Place &p : points)
+        for (int axis = 0; axis < 3; ++axis)
+            p[axis] += deviation * normal(random);
+    return points;
+}
+
+GrowthParameters byDefault()
+{
+    GrowthParameters parameters;
+    parameters.topology = Topology::ofStart;
+    return parameters;
+}
+
+/// `cloud` is made from the clean points.
+Target targetOf(const Shape &shape, WorldPoints clean, const WorldPoints &cloud)
+{
+    return {shape, std::move(clean), [=] { return pointCloudSampler(cloud); }, byDefault()};
+}
+
+MeasuredShape noisy(const std::string &name, const Shape &shape, double percent,
+                    std::size_t count = manyPoints)
+{
+    return {name, [=](std::uint64_t seed) {
+                WorldPoints clean = shape.points(count, seed);
+                const WorldPoints cloud = withNoise(clean, percent, seed);
+                return targetOf(shape, std::move(clean), cloud);
+            }};
+}
+
+MeasuredShape amongOutliers(const std::string &name, const Shape &shape)
+{
+    return {name, [=](std::uint64_t seed) {
+                WorldPoints clean = shape.points(manyPoints, seed);
+                const WorldPoints cloud = test::withOutliers(clean, 0.05, seed);
+                return targetOf(shape, std::move(clean), cloud);
+            }};
+}
+
+/// What a scanner above it sees of a shape around z = `height`.
+MeasuredShape fromAbove(const std::string &name, const Shape &shape, double height)
+{
+    return {name, [=](std::uint64_t seed) {
+                WorldPoints seen;
+                for (const Place &p : shape.points(2 * manyPoints, seed))
+                    if (p[2] > height)
+                        seen.push_back(p);
+                const WorldPoints cloud = seen;
+                Target target = targetOf(shape, std::move(seen), cloud);
+                target.isSeenFromOneSide = true;
+                return target;
+            }};
+}
+
+MeasuredShape open(const std::string &name, const Shape &shape, double percent)
+{
+    return {name, [=](std::uint64_t seed) {
+                Target target = noisy(name, shape, percent).make(seed);
+                target.parameters.topology = Topology::learned;
+                target.parameters.boundaries = BoundaryRule::open;
+                return target;
+            }};
+}
+
+MeasuredShape byFormula(const std::string &name, const Shape &shape,
+                        const std::function<std::unique_ptr<Sampler>()> &sampler)
+{
+    return {name, [=](std::uint64_t seed) {
+                return Target{shape, shape.points(manyPoints, seed), sampler, byDefault()};
+            }};
+}
+
+std::unique_ptr<Sampler> implicitPlate()
+{
+    const Formula formula{"f", "max(abs(x) - 0.75, abs(y) - 0.5, abs(z) - 0.025)"};
+    return implicitSurfaceSampler(formula, {{-2, -2, -2}, {2, 2, 2}});
+}
+
+std::unique_ptr<Sampler> parametricBall()
+{
+    return parametricSurfaceSampler(
+        {{{"x", "cos(u) * cos(v)"}, {"y", "sin(u) * cos(v)"}, {"z", "sin(v)"}}}, {0, 2 * M_PI},
+        {-M_PI / 2, M_PI / 2});
+}
+
+} // namespace
+
+const std::vector<MeasuredShape> &measuredShapes()
+{
+    static const std::vector<MeasuredShape> shapes{
+        noisy("hand", hand(), 0),
+        noisy("hand-0.3", hand(), 0.3),
+        noisy("radiator", radiator(), 0),
+        noisy("radiator-0.5", radiator(), 0.5),
+        noisy("bracket", bracket(), 0),
+        noisy("bracket-0.2", bracket(), 0.2),
+        noisy("raspberry", raspberry(), 0),
+        noisy("raspberry-0.5", raspberry(), 0.5),
+        noisy("plate", plate(), 0),
+        noisy("sparse-hand", hand(), 0, fewPoints),
+        amongOutliers("outliers", raspberry()),
+        fromAbove("scan-of-hand", hand(), 0.02),
+        fromAbove("scan-of-bracket", bracket(), 0.02),
+        open("bowl", bowl(), 0),
+        open("bowl-0.5", bowl(), 0.5),
+        byFormula("implicit-plate", plate(), implicitPlate),
+        byFormula("parametric-ball", ball(), parametricBall)};
+    return shapes;
+}
+
+Deviation fromMesh(const Mesh &mesh, const Shape &shape)
+{
+    constexpr int perFace = 6;
+    Random random(1);
+    double squares = 0;
+    double areas = 0;
+    double greatest = 0;
+    for (const Corners &face : mesh.triangles) {
+        const Place a = toVcg(mesh.positions[face[0]]);
+        const Place b = toVcg(mesh.positions[face[1]]);
+        const Place c = toVcg(mesh.positions[face[2]]);
+        const double area = ((b - a) ^ (c - a)).Norm();
+        for (int i = 0; i < perFace; ++i) {
+            const double u = std::sqrt(random.unit());
+            const double v = random.unit();
+            const double d =
+                std::abs(shape.distance(a * (1 - u) + b * (u * (1 - v)) + c * (u * v)));
+            squares += area * d * d;
+            areas += area;
+            greatest = std::max(greatest, d);
+        }
+    }
+    return {squares / areas, greatest};
+}
+
+Deviation fromPoints(const WorldPoints &points, const Mesh &mesh)
+{
+    constexpr std::size_t most = 2000;
+    const std::size_t stride = points.size() / most + 1;
+    double squares = 0;
+    double greatest = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < points.size(); i += stride) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Corners &face : mesh.triangles)
+            least = std::min(least, squaredDistanceTo({toVcg(mesh.positions[face[0]]),
+                                                       toVcg(mesh.positions[face[1]]),
+                                                       toVcg(mesh.positions[face[2]])},
+                                                      points[i]));
+        squares += least;
+        greatest = std::max(greatest, least);
+        ++count;
+    }
+    return {squares / static_cast<double>(count), std::sqrt(greatest)};
+}
+
+double diagonalOf(const WorldPoints &points)
+{
+    vcg::Box3d bounds;
+    for (const Place &p : points)
+        bounds.Add(p);
+    return bounds.Diag();
+}
+
+} // namespace neuralmesh::bench
