@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which constants are swept, in what units, on which shapes, and why others are not.
+
+Half and double are of what the unit says. Of the angle, where a constant is a cosine; of what is
+lost, where it is what is kept.
+"""
+
+from __future__ import annotations
+
+from neuralmesh_tools.constants.catalogue_of_samplers import OF_FILES, OF_SAMPLERS
+from neuralmesh_tools.constants.entries import (
+    BODIES,
+    EDGES,
+    NOISE,
+    OUTLIERS,
+    SCANS,
+    SPARSE,
+    WALLS,
+    Entry,
+    Key,
+    fixed,
+    swept,
+)
+from neuralmesh_tools.constants.source import ATTRIBUTES, PARAMETERS
+
+_NETWORK = "core/network/growing_network.cpp"
+_FIT = "core/fit/surface_fit.cpp"
+_GROWTH = "core/growth.cpp"
+
+_LEARNING = {
+    **fixed(
+        PARAMETERS,
+        [
+            ("targetVertexCount", "vertices", "the user chooses it"),
+            ("maxHoleSize", "diagonals", "the user chooses it"),
+        ],
+    ),
+    **swept(
+        PARAMETERS,
+        BODIES,
+        [
+            ("winnerRate", "0.03", "0.12", "share of the way"),
+            ("smoothingRate", "0.025", "0.1", "share of the way"),
+            ("smoothingPasses", "3", "10", "passes"),
+            ("signalsPerSplit", "50", "200", "signals"),
+            ("inactivityFactor", "6", "24", "signals a vertex", "by the command in the header"),
+            ("counterDecay", "0.99", "0.9975", "share kept", "by the command in the header"),
+        ],
+    ),
+    **swept(
+        "core/network/learning_rules.h",
+        BODIES,
+        [
+            ("youngVertices", "250", "1000", "vertices", "see the text above"),
+            ("samplesOfSupport", "6", "24", "samples a vertex"),
+        ],
+    ),
+    **fixed(
+        "core/network/learning_rules.h",
+        [("samplesOfSupportInPaper", "samples a vertex", "splitrule=1 alone takes it")],
+    ),
+}
+
+_OF_NETWORK = {
+    **swept(
+        _NETWORK,
+        BODIES,
+        [
+            ("fewVertices", "25", "100", "vertices"),
+            ("webVertices", "500", "2000", "vertices"),
+            ("mostTears", "4", "16", "tears"),
+            ("countByDistanceFrom", "0.2", "0.8", "share of the target"),
+        ],
+    ),
+    **swept(
+        _NETWORK,
+        (*SCANS, "hand", "radiator"),
+        [
+            ("judgedVertices", "400", "1600", "vertices"),
+            ("shareOfOpenSurface", "0.125", "0.5", "share of the area"),
+        ],
+    ),
+    **swept(_NETWORK, WALLS, [("sheetDistance", "0.4", "1.6", "mean edges")]),
+    **swept(
+        "core/network/signal_activity.cpp",
+        BODIES,
+        [
+            ("errorShare", "0.375", "1", "share of a count", "at double: all of it"),
+            ("mostRelative", "2", "8", "means"),
+            ("meanWeight", "0.0005", "0.002", "share of the mean"),
+        ],
+    ),
+    **swept(
+        "core/network/edge_flips.cpp",
+        BODIES,
+        [
+            ("creaseCosine", "0.940", "0.174", "cosine of 40°"),
+            ("foldCosine", "0.906", "-0.174", "cosine of 50°"),
+            ("goodAngleCosine", "0.966", "0.5", "cosine of 30°"),
+            ("leastAngleGain", "5e-7", "2e-6", "cosine"),
+        ],
+    ),
+    **swept(
+        "core/network/regular_collapses.cpp",
+        BODIES,
+        [
+            ("mostTurnCosine", "0.954", "0.342", "cosine of 35°"),
+            ("goodAngleCosine", "0.985", "0.766", "cosine of 20°"),
+            ("mostHeight", "0.1", "0.4", "lengths of the edge"),
+        ],
+    ),
+    **swept(
+        "core/network/boundary_notches.cpp",
+        EDGES,
+        [
+            ("notchCosine", "0.866", "-0.5", "cosine of 60°"),
+            ("slitWidth", "0.25", "1", "edges beside it"),
+            ("leastParallel", "0.966", "0.5", "cosine of 30°"),
+        ],
+    ),
+    **fixed(
+        "core/network/signal_counters.cpp",
+        [
+            (
+                "largestUnit",
+                "signals",
+                "far from the overflow of double, 1e308; no mesh follows from it",
+            )
+        ],
+    ),
+}
+
+_OF_GROWTH = {
+    **swept(
+        _GROWTH,
+        BODIES,
+        [
+            ("batchPerVertex", "0.25", "1", "signals a vertex"),
+            ("startingSamples", "500", "2000", "samples"),
+            ("consolidationRounds", "5", "20", "rounds"),
+            ("censusPerVertex", "5", "20", "samples a vertex"),
+        ],
+    ),
+    **swept(
+        _GROWTH,
+        SPARSE,
+        [
+            ("leastGain", "0.025", "0.1", "share of the vertices"),
+            ("stagnationPeriods", "3", "10", "times μ·n signals"),
+        ],
+    ),
+    **fixed(
+        _GROWTH,
+        [
+            (
+                "samplesPerErrorMeasure",
+                "samples a vertex",
+                "figures that are told follow from it, no mesh",
+            ),
+            (
+                "samplesPerConvergence",
+                "samples a vertex",
+                "figures that are told follow from it, no mesh",
+            ),
+            ("firstDoubling", "vertices", "figures that are told follow from it, no mesh"),
+            ("shareOfGrowth", "share of the time", "the progress bar follows from it, no mesh"),
+            ("signalsPerReport", "signals", "the progress bar follows from it, no mesh"),
+        ],
+    ),
+}
+
+_OF_FIT = {
+    **swept(
+        _FIT,
+        BODIES,
+        [
+            ("samplesPerVertex", "4", "16", "samples a vertex"),
+            (
+                "steps",
+                "{0.45, 0.45, 0.45, 0.4, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15}",
+                "{1, 1, 1, 1, 1, 1, 1, 1, 0.8, 0.6}",
+                "share of the step",
+                "at double: whole steps at the most",
+            ),
+            ("tangentialDeviation", "0.125", "0.5", "mean edges"),
+            ("goodCosine", "0.917", "0.695", "cosine of 31°", "half and double as far from 16°"),
+            ("sliverCosine", "0.990", "0.914", "cosine of 16°", "at double: 24°"),
+            ("leastTangentialShare", "0.025", "0.1", "share of the deviation"),
+            ("leastBending", "0.25", "1", "share of the variance"),
+            ("firstExchange", "0", "2", "sweeps"),
+            ("lastExchange", "4", "9", "sweeps", "at double: to the last but one"),
+            ("longestMove", "0.15", "0.6", "shortest edges"),
+            ("leastTurn", "0.866", "-0.5", "cosine of 60°"),
+        ],
+    ),
+    **swept(
+        _FIT,
+        NOISE,
+        [
+            ("scatterOfRelief", "0.06", "0.24", "mean edges"),
+            ("scatterOfNoise", "0.135", "0.54", "mean edges"),
+            ("noiseInBending", "3", "12", "variances"),
+            ("leastBendingInNoise", "0.1", "0.4", "share of the variance"),
+            ("mostBendingInNoise", "2.5", "10", "medians"),
+        ],
+    ),
+    **swept(_FIT, OUTLIERS, [("outlyingRatio", "1.5", "6", "local means")]),
+    **fixed(_FIT, [("rounding", "diagonals", "rounding of double, 1e-16, times a margin")]),
+    **swept(
+        "core/fit/intersection_repair.cpp",
+        WALLS,
+        [
+            ("roundsOfRestoring", "5", "20", "rounds"),
+            ("roundsOfSmoothing", "10", "40", "rounds"),
+            ("timesAlone", "2", "8", "moves"),
+        ],
+    ),
+    **swept(
+        "core/fit/boundary_reach.cpp",
+        EDGES,
+        [
+            ("depthOfStrip", "0.125", "0.5", "heights of the face"),
+            ("mostOffset", "0.5", "2", "heights of the face"),
+            ("memory", "0.7", "0.925", "share kept"),
+            ("expectedReach", "0.5", "2", "heights of the face"),
+        ],
+    ),
+}
+
+_OF_SPACE = {
+    **fixed(
+        "core/mesh/one_ring.h",
+        [("inlineCapacity", "neighbours", "time follows from it: longer rings are rare")],
+    ),
+    **swept(
+        "core/space/point_spacing.h",
+        SPARSE,
+        [("pointsPerVertex", "2.5", "10", "points a vertex")],
+    ),
+    **fixed(
+        "core/space/vertex_grid.h",
+        [("cellsPerVertex", "cells a vertex", "time follows from it, no mesh")],
+    ),
+    **fixed(
+        "core/space/morton_order.cpp",
+        [
+            ("bitsPerAxis", "bits", "three axes fill 30 of the 32 bits of a key"),
+            ("cellsPerAxis", "cells", "follows from bitsPerAxis"),
+        ],
+    ),
+}
+
+_OF_RESULT = fixed(
+    ATTRIBUTES,
+    [("pointsPerVertex", "points a vertex", "attributes follow from it, no mesh")],
+)
+
+CATALOGUE: dict[Key, Entry] = {
+    **_LEARNING,
+    **_OF_NETWORK,
+    **_OF_GROWTH,
+    **_OF_FIT,
+    **_OF_SPACE,
+    **OF_SAMPLERS,
+    **OF_FILES,
+    **_OF_RESULT,
+}

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The part of the catalogue that is of target spaces."""
+
+from __future__ import annotations
+
+from neuralmesh_tools.constants.entries import (
+    IMPLICIT,
+    OUTLIERS,
+    PARAMETRIC,
+    Entry,
+    Key,
+    fixed,
+    swept,
+)
+
+_FILTER = "samplers/points/outlier_filter.cpp"
+
+OF_SAMPLERS: dict[Key, Entry] = {
+    **swept(
+        _FILTER,
+        OUTLIERS,
+        [
+            ("leastPoints", "500", "2000", "points"),
+            ("measuredPoints", "500", "2000", "points"),
+            ("neighbours", "2", "8", "neighbours"),
+            ("leastRatio", "1.75", "7", "medians"),
+            ("deviations", "2", "8", "standard deviations"),
+            ("surfaceNeighbours", "4", "16", "neighbours"),
+            ("mostSurfaceVariation", "0.03", "0.12", "share of the variance"),
+            ("mostOutliers", "0.1", "0.4", "share of the points"),
+        ],
+    ),
+    **swept(
+        "samplers/points/outlier_filter.h",
+        OUTLIERS,
+        [("pilotPoints", "10000", "40000", "points")],
+    ),
+    **fixed(_FILTER, [("madToDeviation", "ratio", "1 / Φ⁻¹(3/4) of the normal distribution")]),
+    **swept(
+        "samplers/surfaces/implicit_sampler.cpp",
+        IMPLICIT,
+        [
+            ("stepOfCube", "0.125", "0.5", "cubes"),
+            ("rootTolerance", "5e-8", "2e-7", "cubes"),
+            ("pilotSamples", "10000", "40000", "samples"),
+            ("pilotLines", "250000", "1000000", "lines"),
+        ],
+    ),
+    **swept(
+        "samplers/surfaces/surface_cells.cpp",
+        IMPLICIT,
+        [
+            ("cubes", "32 * 64 * 64", "128 * 64 * 64", "cubes"),
+            ("fittings", "5", "20", "rounds"),
+            ("worthwhile", "0.25", "0.75", "share of the volume", "at double: half of what stays"),
+            ("variation", "1.25", "2", "differences", "half and double of what is above 1"),
+        ],
+    ),
+    **swept(
+        "samplers/surfaces/parametric_sampler.cpp",
+        PARAMETRIC,
+        [
+            ("cellsAlong", "64", "256", "cells"),
+            ("boundOfLargest", "1.25", "2", "densities", "half and double of what is above 1"),
+            ("differenceStep", "5e-6", "2e-5", "share of the range"),
+        ],
+    ),
+    **fixed(
+        "samplers/surfaces/parametric_sampler.cpp",
+        [
+            ("nodesAlong", "nodes", "follows from cellsAlong"),
+            ("mostTries", "places", "giving up follows from it, no mesh"),
+        ],
+    ),
+    **fixed(
+        "samplers/surfaces/implicit_sampler.cpp",
+        [("mostLines", "times the lines", "giving up follows from it, no mesh")],
+    ),
+}
+
+OF_FILES: dict[Key, Entry] = {
+    **fixed(
+        "samplers/files/las_header.cpp",
+        [("versionMajor", "bytes", "offset in the header, as LAS 1.4 R15 has it")],
+    ),
+    **fixed(
+        "samplers/files/point_layout.cpp",
+        [("longestQuote", "characters", "of a file's header in a sentence about it")],
+    ),
+    **fixed(
+        "samplers/files/point_survey.cpp",
+        [
+            ("points", "points", "taken at once, so that the compiler's vectors are full"),
+            ("lanes", "numbers", "follows from points"),
+        ],
+    ),
+    **fixed(
+        "samplers/files/point_file_sampler.cpp",
+        [
+            ("pilotPoints", "points", "follows from the outlier filter's"),
+            ("boundsTolerance", "diagonals", "a header that is not believed costs a pass"),
+            ("leastFilled", "share of the diagonal", "a header that is not believed costs a pass"),
+            ("pointsPerLook", "points", "no mesh follows from it"),
+            ("readsAtOnce", "records", "time follows from it, no mesh"),
+        ],
+    ),
+    **fixed(
+        "samplers/input_checks.cpp",
+        [("flatExtent", "diagonals", "rounding of single precision is 6e-8")],
+    ),
+    **fixed(
+        "samplers/points/point_cloud_sampler.cpp",
+        [("mostPointsSifted", "points", "time follows from it: the same points are drawn")],
+    ),
+}
