@@ -31,6 +31,9 @@ namespace {
 /// would keep the network a tetrahedron for ever.
 constexpr int fewVertices = 50;
 
+/// Vertices from which a network is no longer young: it has found the limbs of its target.
+constexpr int youngVertices = 500;
+
 /// Vertices from which whole webs are taken out. A coarser network spans everything.
 constexpr int webVertices = 1000;
 
@@ -56,6 +59,11 @@ constexpr Scalar thicknessOfSheets = 1e-3;
 
 /// How far around a sample other sheets are looked for, in mean lengths of the winner's edges.
 constexpr Scalar sheetDistance = 0.8;
+
+bool isYoung(int vertices)
+{
+    return vertices < youngVertices;
+}
 
 } // namespace
 

@@ -6,8 +6,6 @@
 
 namespace neuralmesh {
 
-/// Vertices from which a network is no longer young: see isYoung().
-inline constexpr int youngVertices = 500;
 /// Samples for each vertex that tell where the target space is, at step 6; with the paper's rules.
 inline constexpr int samplesOfSupport = 12;
 inline constexpr int samplesOfSupportInPaper = 6;
@@ -16,7 +14,7 @@ struct LearningRules {
     /// Step 2. The paper's winner is the nearest vertex. Where the nearest face is of another
     /// sheet, here it is the nearest corner of that face: otherwise each of two walls that are
     /// closer than their vertices is drawn to the samples of both, and they become one in the
-    /// middle. Not while the network is young: see isYoung().
+    /// middle. Not while the network is young, which is still finding the limbs of its target.
     bool winnerIsOnNearestSheet;
 
     /// Step 4. In the paper a signal counts 1. Here it counts by the sample's distance to the
@@ -57,11 +55,5 @@ struct LearningRules {
         return rule == SplitRule::paper ? ofPaper() : refined();
     }
 };
-
-/// Whether a network of so many vertices is still finding the limbs of its target.
-constexpr bool isYoung(int vertices)
-{
-    return vertices < youngVertices;
-}
 
 } // namespace neuralmesh

@@ -51,7 +51,6 @@ _LEARNING = {
         "core/network/learning_rules.h",
         BODIES,
         [
-            ("youngVertices", "250", "1000", "vertices", "see the text above"),
             ("samplesOfSupport", "6", "24", "samples a vertex"),
         ],
     ),
@@ -67,6 +66,7 @@ _OF_NETWORK = {
         BODIES,
         [
             ("fewVertices", "25", "100", "vertices"),
+            ("youngVertices", "250", "1000", "vertices"),
             ("webVertices", "500", "2000", "vertices"),
             ("mostTears", "4", "16", "tears"),
             ("countByDistanceFrom", "0.2", "0.8", "share of the target"),

@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-BODIES = ("hand", "hand-0.3", "radiator-0.5", "bracket", "bracket-0.2", "raspberry-0.5")
+BODIES = ("hand", "bracket", "radiator-0.5", "raspberry-0.5")
 WALLS = ("plate", "radiator", "hand")
 EDGES = ("bowl", "bowl-0.5")
 SCANS = ("scan-of-hand", "scan-of-bracket")
 SPARSE = ("sparse-hand", "hand")
-NOISE = ("hand-0.3", "radiator-0.5", "bracket-0.2", "raspberry-0.5")
+NOISE = ("hand-0.3", "radiator-0.5", "raspberry-0.5")
 OUTLIERS = ("outliers", "hand", "radiator-0.5")
 IMPLICIT = ("implicit-plate",)
 PARAMETRIC = ("parametric-ball",)
