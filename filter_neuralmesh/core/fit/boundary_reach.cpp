@@ -13,14 +13,12 @@ namespace {
 
 /// How far the strip reaches into the face, in heights of the face.
 constexpr double depthOfStrip = 0.25;
-/// Offsets outwards count no more than this, in heights of the face: a move takes a share of an
-/// edge at the most.
+/// How far off the boundary may lie, in heights of the face. Offsets outwards count no more: a move
+/// takes a share of an edge at the most. Before any sample is seen, a vertex is expected so far
+/// from the middle of its neighbours along the boundary (standard deviation).
 constexpr double mostOffset = 1;
 /// What is left of the sums of the last sweep.
 constexpr double memory = 0.85;
-/// How far a vertex is expected to lie off the middle of its neighbours along the boundary before
-/// any sample is seen (standard deviation, in heights of the face).
-constexpr double expectedReach = 1;
 
 /// A face at a boundary edge.
 struct EdgeFace {
@@ -126,7 +124,7 @@ void BoundaryReach::pullAcross(VertexId start, const Share &share, const Eigen::
     const Eigen::Vector3d outwards = toEigen(face.outwards);
     const Eigen::Matrix3d across = outwards * outwards.transpose();
     const double squaredHeight = face.height * face.height;
-    const double expected = 1 / (expectedReach * expectedReach * squaredHeight);
+    const double expected = 1 / (mostOffset * mostOffset * squaredHeight);
     pull.system += across * expected;
     pull.pull += across * toCentre * expected;
     if (!(share.samples > 0))

@@ -222,7 +222,6 @@ _OF_FIT = {
             ("depthOfStrip", "0.125", "0.5", "heights of the face"),
             ("mostOffset", "0.5", "2", "heights of the face"),
             ("memory", "0.7", "0.925", "share kept"),
-            ("expectedReach", "0.5", "2", "heights of the face"),
         ],
     ),
 }
