@@ -13,12 +13,11 @@
 namespace neuralmesh {
 namespace {
 
-/// Cosine of 60 degrees, the angle of a notch that is filled.
+/// Cosine of 60 degrees, the angle of a notch that is filled, and the most that the walls of a slit
+/// open.
 constexpr Scalar notchCosine = 0.5;
 /// The width of a slit whose bottom is an edge, in lengths of the edges beside it.
 constexpr Scalar slitWidth = 0.5;
-/// Cosine of 30 degrees, the most that its walls may open.
-constexpr Scalar leastParallel = 0.866;
 
 Scalar boundaryCosine(const NeuralMesh &mesh, VertexId v)
 {
@@ -37,8 +36,7 @@ bool isReflex(const NeuralMesh &mesh, VertexId v)
     return false;
 }
 
-/// Whether the boundary edge from v on is the bottom of a slit, narrow between walls that run side
-/// by side.
+/// Whether the boundary edge from v on is the bottom of a slit, narrow between its walls.
 bool isSlitBottom(const NeuralMesh &mesh, VertexId v)
 {
     const VertexId end = nextOnBoundary(mesh, v);
@@ -47,7 +45,7 @@ bool isSlitBottom(const NeuralMesh &mesh, VertexId v)
     const Point3 otherWall = mesh.position(nextOnBoundary(mesh, end)) - mesh.position(end);
     const Scalar width = bottom.Norm();
     return width < slitWidth * std::min(wall.Norm(), otherWall.Norm()) &&
-           Point3(wall).Normalize() * Point3(otherWall).Normalize() > leastParallel &&
+           Point3(wall).Normalize() * Point3(otherWall).Normalize() > notchCosine &&
            isReflex(mesh, v) && isReflex(mesh, end);
 }
 

@@ -115,7 +115,6 @@ _OF_NETWORK = {
         [
             ("notchCosine", "0.866", "-0.5", "cosine of 60°"),
             ("slitWidth", "0.25", "1", "edges beside it"),
-            ("leastParallel", "0.966", "0.5", "cosine of 30°"),
         ],
     ),
     **fixed(
