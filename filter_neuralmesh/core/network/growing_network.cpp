@@ -45,9 +45,9 @@ constexpr int mostTears = 8;
 constexpr int judgedVertices = 800;
 
 /// Share of the mesh's area that is far from all samples, at that size, from which the target space
-/// is taken for an open surface, whose closing sheet must stay. Measured: a scan of one side 0.39
-/// to 0.42; limbs and folds that are not parted yet 0.02 to 0.17.
-constexpr double shareOfOpenSurface = 0.25;
+/// is taken for an open surface, whose closing sheet must stay. Half-way between closed models,
+/// 0.00 to 0.16, and what is seen of them from one side, 0.25 to 0.44: see docs/constants.md.
+constexpr double shareOfOpenSurface = 0.2;
 
 /// Share of the target from which signals count by distance: while the network is coarse, errors
 /// are those of webs and of limbs not yet found, and following them keeps the webs (dino's legs).

@@ -77,7 +77,7 @@ _OF_NETWORK = {
         (*SCANS, "hand", "radiator"),
         [
             ("judgedVertices", "400", "1600", "vertices"),
-            ("shareOfOpenSurface", "0.125", "0.5", "share of the area"),
+            ("shareOfOpenSurface", "0.1", "0.4", "share of the area"),
         ],
     ),
     **swept(_NETWORK, WALLS, [("sheetDistance", "0.4", "1.6", "mean edges")]),
