@@ -207,7 +207,7 @@ _OF_FIT = {
     **fixed(_FIT, [("rounding", "diagonals", "rounding of double, 1e-16, times a margin")]),
     **swept(
         "core/fit/intersection_repair.cpp",
-        WALLS,
+        ("plate", *SCANS),
         [
             ("roundsOfRestoring", "5", "20", "rounds"),
             ("roundsOfSmoothing", "10", "40", "rounds"),
