@@ -16,8 +16,9 @@ remarkable) / greatest distance / share of vertices of valence 6 / processor tim
 faces cross each other. RMS and greatest distance are medians of the seeds and geometric means of
 the shapes.
 
-Figures of half and double are kept in out/constants/figures.json. Exit codes: 0 done, 1 a value did
-not build or run, 2 usage, or a constant or a build that is not there.
+Figures of half and double, of 1,500 vertices and three seeds, are kept in
+out/constants/figures.json. Exit codes: 0 done, 1 a value did not build or run, 2 usage, or a
+constant or a build that is not there.
 """
 
 import sys

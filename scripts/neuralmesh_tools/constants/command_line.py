@@ -36,7 +36,7 @@ def _arguments(description: str | None, arguments: Sequence[str] | None) -> argp
         metavar="NAME",
         help="constants of this name, file or layer (may be repeated)",
     )
-    parser.add_argument("--values", metavar="A,B,...", help="instead of half and double; not kept")
+    parser.add_argument("--values", metavar="A,B,...", help="instead of half and double")
     parser.add_argument("--chance", action="store_true", help="only what other seeds change")
     parser.add_argument(
         "--document", action="store_true", help=f"only write the tables of {DOCUMENT}"
@@ -88,7 +88,9 @@ def _write_document() -> int:
     return 0
 
 
-def _sweep(constants: Sequence[Constant], sweep: Sweep, values: Sequence[str]) -> int:
+def _sweep(
+    constants: Sequence[Constant], sweep: Sweep, values: Sequence[str], is_kept: bool
+) -> int:
     failed = 0
     for constant in constants:
         entry = CATALOGUE[constant.key]
@@ -97,7 +99,7 @@ def _sweep(constants: Sequence[Constant], sweep: Sweep, values: Sequence[str]) -
             print(f"{constant.name} {constant.value} -> {outcome.value}: {outcome}", flush=True)
             cells.append(f"`{outcome.value}`: {outcome}")
             failed += outcome.effect is None
-        if not values:
+        if is_kept:
             _keep(constant, cells)
     return 1 if failed else 0
 
@@ -120,7 +122,8 @@ def main(description: str | None, arguments: Sequence[str] | None = None) -> int
         with tempfile.TemporaryDirectory(prefix="neuralmesh-constants-") as scratch:
             sweep = Sweep(ROOT, task, Path(scratch))
             if not options.chance:
-                return _sweep(constants, sweep, options.values.split(",") if options.values else [])
+                values = options.values.split(",") if options.values else []
+                return _sweep(constants, sweep, values, task == Task() and not values)
             for group, effects in sweep.chance():
                 print(f"{group}: {effects}", flush=True)
         return 0
