@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/measured_shapes.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "neuralmesh/samplers.h"
 
 namespace neuralmesh::bench {
