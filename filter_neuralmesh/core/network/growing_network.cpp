@@ -170,7 +170,8 @@ VertexId GrowingNetwork::splitBoundary(const std::vector<VertexId> &vertices)
     if (longest == noVertex)
         return noVertex;
     return splitStar(balancedSplit(mesh_, longest, 0),
-                     (mesh_.position(nextOnBoundary(mesh_, longest)) + mesh_.position(longest)) / 2);
+                     (mesh_.position(nextOnBoundary(mesh_, longest)) + mesh_.position(longest)) /
+                         2);
 }
 
 bool GrowingNetwork::removeOne()

@@ -69,8 +69,8 @@ public:
     /// Fills those only that are no wider than that, in the unit frame, seen as a circle.
     int closeHoles(double width);
 
-    /// Closes sheets, of which these are all vertices, by sheets behind them (sheet_doubling.h), and
-    /// parts the two by next to nothing.
+    /// Closes sheets, of which these are all vertices, by sheets behind them (sheet_doubling.h),
+    /// and parts the two by next to nothing.
     void closeSheets(const std::vector<VertexId> &sheets);
 
     /// Splits the longest edge of a boundary, of those from the vertices. Returns the new vertex,

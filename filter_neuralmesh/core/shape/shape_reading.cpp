@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "core/shape/grid_place.h"
@@ -11,7 +12,8 @@ namespace neuralmesh {
 namespace {
 
 /// The nearest to that of the points first.
-constexpr float levels[ShapeReading::levelCount] = {0, -0.05F, 0.05F, -0.1F, 0.1F};
+constexpr float levels[] = {0, -0.05F, 0.05F, -0.1F, 0.1F};
+static_assert(std::size(levels) == ShapeReading::levelCount);
 constexpr float lowestLevel = -0.1F;
 constexpr float highestLevel = 0.1F;
 

@@ -302,7 +302,7 @@ MUTANTS: tuple[Mutant, ...] = (
     Mutant(
         "stray-parts-stay",
         "parts that hold hardly any points are left out",
-        _READING,
+        "core/shape/shape_reading.h",
         "constexpr double leastPoints = 12;",
         "constexpr double leastPoints = 0;",
         (
