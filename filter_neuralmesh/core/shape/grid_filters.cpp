@@ -77,12 +77,12 @@ Grid doubled(const Grid &coarse)
                 mean[static_cast<std::size_t>(z)] =
                     0.25F * (low[z] + low[z + dx] + low[z + dy] + low[z + dx + dy]);
             float *row = fine.data() + fine.index(x, y, 0);
-            for (int z = 0; z < columns; ++z) {
+            for (std::ptrdiff_t z = 0; z < columns; ++z) {
                 const float *here = mean.data() + z;
                 row[2 * z] = here[0];
                 row[2 * z + 1] = 0.5F * (here[0] + here[1]);
             }
-            row[2 * columns] = mean.back();
+            row[std::ptrdiff_t(2) * columns] = mean.back();
         }
     return fine;
 }

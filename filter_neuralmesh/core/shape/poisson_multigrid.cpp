@@ -104,7 +104,7 @@ void restrictTo(const Grid &fine, Grid &coarse)
                        last, mean.data());
             float *row = coarse.data() + coarse.index(x, y, 0);
             const float *m = mean.data();
-            for (int z = 1; z < coarse.cells().z; ++z)
+            for (std::ptrdiff_t z = 1; z < coarse.cells().z; ++z)
                 row[z] = m[2 * z - 1] + 2 * m[2 * z] + m[2 * z + 1];
         }
 }
@@ -124,7 +124,7 @@ void addProlonged(const Grid &coarse, const Grid &isFree, Grid &fine)
             for (int z = 0; z <= columns; ++z)
                 m[z] = 0.25F * (low[z] + low[z + dx] + low[z + dy] + low[z + dx + dy]);
             float *__restrict a = added.data();
-            for (int z = 0; z < columns; ++z) {
+            for (std::ptrdiff_t z = 0; z < columns; ++z) {
                 a[2 * z] = m[z];
                 a[2 * z + 1] = 0.5F * (m[z] + m[z + 1]);
             }
