@@ -82,8 +82,8 @@ POINT_CASES = [
     ),
     pytest.param(
         on_a_plane(50),
-        "All points lie on a plane: a closed surface, which this filter makes, cannot be fitted "
-        "to them.",
+        "All points lie on a plane: a closed surface cannot be fitted to them. Set Topology to "
+        "'Learned from the data', which makes a sheet of them.",
         id="plane",
     ),
     pytest.param(

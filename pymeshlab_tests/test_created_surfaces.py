@@ -131,8 +131,8 @@ IMPLICIT_CASES = [
     ({"maxz": np.nan}, "The box is empty: minZ must be below maxZ."),
     (
         {"expr": "x + y"},
-        "All points lie on a plane: a closed surface, which this filter makes, cannot be fitted "
-        "to them.",
+        "All points lie on a plane: a closed surface cannot be fitted to them. Set Topology to "
+        "'Learned from the data', which makes a sheet of them.",
     ),
     ({"targetvertnum": 3}, "TargetVertNum must be at least 4, not 3."),
 ]
@@ -149,8 +149,8 @@ PARAMETRIC_CASES = [
     ),
     (
         {"x": "u", "y": "v", "z": "0"},
-        "All points lie on a plane: a closed surface, which this filter makes, cannot be fitted "
-        "to them.",
+        "All points lie on a plane: a closed surface cannot be fitted to them. Set Topology to "
+        "'Learned from the data', which makes a sheet of them.",
     ),
     (
         {"x": "cos(u)", "y": "sin(u)", "z": "u"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_parameters.h"
 
+#include <cmath>
+
 #include <algorithm>
 #include <random>
 
@@ -116,7 +118,8 @@ void addStartParameters(RichParameterList &list, const MeshDocument &document)
                            "With a learned topology: closed is watertight, and holes in the data "
                            "are filled; open has no surface where there are no points."));
     const Box3m box = document.bbox();
-    const Scalarm diagonal = box.IsNull() ? 1 : box.Diag();
+    // Points that are not finite are refused later, in words of their own.
+    const Scalarm diagonal = !box.IsNull() && std::isfinite(box.Diag()) ? box.Diag() : 1;
     list.addParam(RichPercentage("MaxHoleSize", static_cast<Scalarm>(d.maxHoleSize) * diagonal, 0,
                                  diagonal, "Maximal hole size",
                                  "With open boundaries: smaller gaps in the data are closed. In "
