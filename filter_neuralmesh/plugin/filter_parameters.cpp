@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_parameters.h"
 
-#include <cmath>
-
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "host_versions.h"

@@ -237,7 +237,7 @@ MUTANTS: tuple[Mutant, ...] = (
         _SHAPE,
         "std::max(inside[i], leastLevel)",
         "0.5F",
-        ("CoarseShape.of_thin_plates_at_an_angle_has_no_holes",),
+        ("CoarseShape.leaves_out_parts_that_are_of_a_few_stray_points",),
     ),
     Mutant(
         "nothing-held-outside",
