@@ -58,8 +58,6 @@ constexpr int lastExchange = 7;
 constexpr Scalar rounding = 1e-12;
 /// Longest move of a sweep, in lengths of the vertex's shortest edge.
 constexpr Scalar longestMove = 0.3;
-/// Cosine between a face's normals before and after a sweep, at the least.
-constexpr Scalar leastTurn = 0.5;
 
 double squared(double x)
 {
@@ -180,7 +178,6 @@ private:
             moved[v] = mesh_.position(v) + displacement(v) * step;
         });
         forEachVertex(mesh_, [&](VertexId v) { network_.moveVertex(v, moved[v]); });
-        takeBackTurns(before);
         reach_.follow(before);
     }
 
@@ -311,33 +308,6 @@ private:
         const Eigen::Vector3d along = toEigen(mesh_.position(nextOnBoundary(mesh_, v)) -
                                               mesh_.position(previousOnBoundary(mesh_, v)));
         return (along - normal * normal.dot(along)).normalized();
-    }
-
-    /// Puts back the corners of every face that the sweep turned. Putting one back can turn a
-    /// neighbour, hence the rounds.
-    void takeBackTurns(const VertexData<Point3> &before)
-    {
-        constexpr int rounds = 8;
-        for (int round = 0; round < rounds; ++round) {
-            bool turned = false;
-            forEachFace(mesh_, [&](VertexId v, VertexId a, VertexId b) {
-                if (!isTurned(before, v, a, b))
-                    return;
-                turned = true;
-                for (const VertexId corner : {v, a, b})
-                    network_.moveVertex(corner, before[corner]);
-            });
-            if (!turned)
-                return;
-        }
-    }
-
-    bool isTurned(const VertexData<Point3> &before, VertexId a, VertexId b, VertexId c) const
-    {
-        const Point3 old = (before[b] - before[a]) ^ (before[c] - before[a]);
-        const Point3 now =
-            (mesh_.position(b) - mesh_.position(a)) ^ (mesh_.position(c) - mesh_.position(a));
-        return old * now < leastTurn * old.Norm() * now.Norm();
     }
 
     void noteResiduals()

@@ -17,8 +17,6 @@ constexpr Scalar farDistance = 0.35;
 
 /// Supported islands in a patch are filled up to this size: a few faces, and half the patch.
 constexpr std::size_t smallIsland = 10;
-/// Filling a pinch may make an island, and the other way round.
-constexpr int fillingRounds = 6;
 
 } // namespace
 
@@ -59,7 +57,7 @@ std::optional<Patch> PatchSearch::find(FaceId seed, PatchExtent extent)
     spread(patch, 0);
     if (extent == PatchExtent::dilated)
         dilate(patch);
-    if (fillPinchesAndIslands(patch))
+    if (fillIslands(patch))
         if (std::optional<Patch> found = outline(patch))
             return found;
     forget(patch);
@@ -109,37 +107,9 @@ void PatchSearch::dilate(std::vector<FaceId> &patch)
     spread(patch, before);
 }
 
-/// False where faces of another patch are in the way, or there is no end to it.
-bool PatchSearch::fillPinchesAndIslands(std::vector<FaceId> &patch)
-{
-    for (int round = 0; round < fillingRounds; ++round) {
-        bool changed = false;
-        if (!fillPinches(patch, changed) || !fillIslands(patch, changed))
-            return false;
-        if (!changed)
-            return true;
-    }
-    return false;
-}
-
-/// Adds all faces around vertices at which the patch touches itself.
-bool PatchSearch::fillPinches(std::vector<FaceId> &patch, bool &changed)
-{
-    for (std::size_t i = 0; i < patch.size(); ++i)
-        for (const VertexId v : faces_.corners(patch[i])) {
-            VertexId next = noVertex;
-            if (rimEdgesFrom(v, next) < 2)
-                continue;
-            changed = true;
-            for (int place = 0; place < mesh_.valence(v); ++place)
-                if (!add(faces_.around(v, place), patch))
-                    return false;
-        }
-    return true;
-}
-
-/// Adds small parts of the surface that the patch encloses.
-bool PatchSearch::fillIslands(std::vector<FaceId> &patch, bool &changed)
+/// Adds small parts of the surface that the patch encloses. False where faces of another patch are
+/// in the way.
+bool PatchSearch::fillIslands(std::vector<FaceId> &patch)
 {
     const int searchesBefore = island_;
     const std::size_t size = patch.size();
@@ -150,7 +120,6 @@ bool PatchSearch::fillIslands(std::vector<FaceId> &patch, bool &changed)
             if (patchOf_[behind] == patch_ || seenBy_[behind] > searchesBefore)
                 continue;
             for (const FaceId face : islandBehind(behind, smallIsland + size / 2, searchesBefore)) {
-                changed = true;
                 if (!add(face, patch))
                     return false;
             }

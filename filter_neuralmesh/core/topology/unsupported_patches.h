@@ -46,9 +46,7 @@ private:
     void markFar(VertexId a, VertexId b);
     void spread(std::vector<FaceId> &patch, std::size_t from);
     void dilate(std::vector<FaceId> &patch);
-    bool fillPinchesAndIslands(std::vector<FaceId> &patch);
-    bool fillPinches(std::vector<FaceId> &patch, bool &changed);
-    bool fillIslands(std::vector<FaceId> &patch, bool &changed);
+    bool fillIslands(std::vector<FaceId> &patch);
     std::vector<FaceId> islandBehind(FaceId face, std::size_t most, int searchesBefore);
     bool add(FaceId face, std::vector<FaceId> &patch);
     bool isInside(VertexId a, VertexId b) const { return patchOf_[faces_.leftOf(a, b)] == patch_; }

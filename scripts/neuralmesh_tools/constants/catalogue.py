@@ -189,7 +189,6 @@ _OF_FIT = {
             ("firstExchange", "0", "2", "sweeps"),
             ("lastExchange", "4", "9", "sweeps", "at double: to the last but one"),
             ("longestMove", "0.15", "0.6", "shortest edges"),
-            ("leastTurn", "0.866", "-0.5", "cosine of 60°"),
         ],
     ),
     **swept(

@@ -93,8 +93,8 @@ MUTANTS: tuple[Mutant, ...] = (
         "islands-stay",
         "what a web encloses is taken out with it",
         "core/topology/unsupported_patches.cpp",
-        "|| !fillIslands(patch, changed)",
-        "",
+        "if (fillIslands(patch))",
+        "if (true)",
         ("Limbs.samples_within_a_web_do_not_hold_it",),
     ),
     Mutant(
@@ -183,6 +183,14 @@ MUTANTS: tuple[Mutant, ...] = (
         _NETWORK,
         "    if (!isOpen_ && isClosed(mesh_)) {",
         "    if (isClosed(mesh_)) {",
+        ("Shapes.a_scan_of_one_side_keeps_its_points_on_the_mesh",),
+    ),
+    Mutant(
+        "splits-at-overlong-edges",
+        "a vertex is split at its longest edge that does not span a void",
+        "core/network/star_splits.cpp",
+        "(longestSquared < 0 || !isOverlong(mesh, v, ring[i]))",
+        "true",
         ("Shapes.a_scan_of_one_side_keeps_its_points_on_the_mesh",),
     ),
     Mutant(
