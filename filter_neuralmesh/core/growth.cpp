@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/fit/intersection_repair.h"
+#include "core/closing.h"
 #include "core/fit/surface_fit.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/enumeration.h"
@@ -20,7 +20,6 @@
 #include "core/space/morton_order.h"
 #include "core/space/plain_points.h"
 #include "core/space/point_spacing.h"
-#include "core/topology/sheet_doubling.h"
 #include "core/topology/starting_mesh.h"
 
 namespace neuralmesh {
@@ -79,8 +78,8 @@ public:
         : parameters_(parameters), sampler_(sampler), progress_(progress),
           takeSnapshot_(takeSnapshot), random_(random),
           measuring_(randomStream(parameters.seed, Purpose::measuring)),
-          network_(mesh, toVcg(sampler.bounds()), parameters), sheets_(mesh),
-          order_(sampler.bounds())
+          network_(mesh, toVcg(sampler.bounds()), parameters),
+          closing_(network_, parameters.targetVertexCount), order_(sampler.bounds())
     {
     }
 
@@ -104,18 +103,18 @@ public:
         if (learnsBoundaries())
             network_.closeHoles(parameters_.maxHoleSize);
         if (isToBeClosed())
-            sheets_.judge();
+            closing_.judgeSheets();
         growToTarget();
         consolidate();
         if (learnsBoundaries())
             network_.closeHoles(parameters_.maxHoleSize);
-        settleCount();
+        closing_.settleCount();
         report_.splitCount = network_.verticesAdded();
         report_.collapseCount = network_.verticesRemoved();
         report_.selfIntersections =
             parameters_.surfaceFit ? fit() : network_.findSelfIntersections().faces;
         if (isToBeClosed() && !isClosed(network_.mesh()))
-            report_.selfIntersections = close();
+            report_.selfIntersections = closing_.close();
         const ErrorFigures error =
             measureError(network_, sampler_, measuring_, samplesPerErrorMeasure);
         report_.rmsError = error.rms;
@@ -138,13 +137,7 @@ private:
         return learnsBoundaries() && parameters_.boundaries == BoundaryRule::closed;
     }
 
-    /// Vertices that the result still lacks; below 0, that it has too many. Sheets that are to be
-    /// doubled count as if they were.
-    int room() const
-    {
-        return parameters_.targetVertexCount - network_.vertexCount() - sheets_.copies();
-    }
-    bool isComplete() const { return room() <= 0; }
+    bool isComplete() const { return closing_.room() <= 0; }
 
     void growToTarget()
     {
@@ -233,56 +226,19 @@ private:
 
     void splitMostActive(std::size_t times)
     {
-        int left = room();
+        int left = closing_.room();
         for (std::size_t i = 0; i < times && left > 0; ++i) {
-            left -= addVertex(left);
+            left -= closing_.addVertex(left);
             noteConvergence();
             takeSnapshotIfDue();
         }
     }
 
-    /// Returns how many vertices the result gains, one or two, and no more than there is room for.
-    int addVertex(int room)
-    {
-        const bool isLast = room == 1 && !sheets_.isEmpty();
-        VertexId v = isLast ? network_.splitBoundary(sheets_.vertices()) : noVertex;
-        if (v == noVertex)
-            v = network_.splitMostActive();
-        sheets_.take(v);
-        return 1 + sheets_.copiesOf(v);
-    }
-
-    /// Brings the network to the count of the result, which changes where boundaries do: with holes
-    /// and notches that are filled.
-    void settleCount()
-    {
-        for (int left = room(); left != 0; left = room())
-            if (left > 0)
-                addVertex(left);
-            else if (!network_.removeOne())
-                return;
-    }
-
-    /// Closes all boundaries. Returns how many faces intersect another then.
-    int close()
-    {
-        settleCount();
-        const RimNeighbours rim(network_.mesh());
-        const std::vector<VertexId> sheets = sheets_.vertices();
-        if (!sheets.empty())
-            network_.closeSheets(sheets);
-        network_.closeBoundaries();
-        return repairClosing(network_, rim);
-    }
-
-    /// By how many vertices a split may go beyond a count.
-    int mostOver() const { return sheets_.isEmpty() ? 0 : 1; }
-
     void takeSnapshotIfDue()
     {
         const std::vector<int> &counts = parameters_.snapshots;
         if (!takeSnapshot_ || snapshotsTaken_ == counts.size() ||
-            network_.vertexCount() + sheets_.copies() < counts[snapshotsTaken_] - mostOver())
+            closing_.vertexCount() < counts[snapshotsTaken_] - closing_.mostOver())
             return;
         const int count = counts[snapshotsTaken_++];
         auto snapshot = std::make_unique<NeuralMesh>();
@@ -361,7 +317,7 @@ private:
     Random &random_;
     Random measuring_; ///< of its own, so that measuring changes nothing
     GrowingNetwork network_;
-    OpenSheets sheets_; ///< to be closed by doubling them
+    Closing closing_;
     MortonOrder order_;
     std::vector<Point> drawn_;
     std::vector<Point3> batch_; ///< what was drawn, in order

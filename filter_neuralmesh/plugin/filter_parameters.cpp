@@ -114,8 +114,9 @@ void addStartParameters(RichParameterList &list, const MeshDocument &document)
                            "those of the points."));
     list.addParam(RichEnum("Boundaries", static_cast<int>(d.boundaries), {"Closed", "Open"},
                            "Boundaries",
-                           "With a learned topology: closed is watertight, and holes in the data "
-                           "are filled; open has no surface where there are no points."));
+                           "With a learned topology: closed is watertight, holes in the data are "
+                           "filled, and an open sheet becomes two back to back; open has no "
+                           "surface where there are no points."));
     const Box3m box = document.bbox();
     // Points that are not finite are refused later, in words of their own.
     const Scalarm diagonal = !box.IsNull() && std::isfinite(box.Diag()) ? box.Diag() : 1;

@@ -3,6 +3,7 @@
 
 #include "core/mesh/boundary.h"
 #include "core/mesh/enumeration.h"
+#include "core/mesh/star_normal.h"
 
 namespace neuralmesh {
 namespace {
@@ -22,7 +23,7 @@ public:
 
     int restore(const VertexData<Point3> &before)
     {
-        return repeat(roundsOfRestoring, [&](VertexId v) {
+        return repeatForIntersections(roundsOfRestoring, [&](VertexId v) {
             network_.moveVertex(v, moved_[v] + 1 < timesAlone ? (mesh_.position(v) + before[v]) / 2
                                                               : before[v]);
         });
@@ -30,27 +31,67 @@ public:
 
     int smooth()
     {
-        return repeat(roundsOfSmoothing, [&](VertexId v) {
-            network_.moveVertex(v, (mesh_.position(v) + middleOfNeighbours(v)) / 2);
+        return repeatForIntersections(roundsOfSmoothing, [&](VertexId v) { moveToMiddle(v); });
+    }
+
+    void unfold(const std::vector<VertexId> &sheet)
+    {
+        repeat(
+            roundsOfSmoothing,
+            [&] {
+                std::vector<VertexId> folded;
+                for (const VertexId v : sheet)
+                    if (isFolded(mesh_, v))
+                        folded.push_back(v);
+                return folded;
+            },
+            [&](VertexId v) { moveToMiddle(v); });
+    }
+
+    int smoothRim()
+    {
+        return repeatForIntersections(roundsOfSmoothing, [&](VertexId v) {
+            if (rim_.isOnRim(v))
+                moveToMiddle(v);
         });
     }
 
 private:
-    /// Returns how many faces that intersect another are left.
-    template <class Move> int repeat(int rounds, Move move)
+    /// Moves the corners of faces that intersect another. Returns how many such faces are left.
+    template <class Move> int repeatForIntersections(int rounds, Move move)
+    {
+        int left = 0;
+        repeat(
+            rounds,
+            [&] {
+                const SelfIntersections found = network_.findSelfIntersections();
+                left = found.faces;
+                return found.corners;
+            },
+            move);
+        return left;
+    }
+
+    /// Moves what is found, and what is found too often with its neighbours.
+    template <class Find, class Move> void repeat(int rounds, Find find, Move move)
     {
         moved_.reset();
         for (int round = 0;; ++round) {
-            const SelfIntersections found = network_.findSelfIntersections();
-            if (found.faces == 0 || round == rounds)
-                return found.faces;
-            for (const VertexId v : found.corners) {
+            const std::vector<VertexId> found = find();
+            if (found.empty() || round == rounds)
+                return;
+            for (const VertexId v : found) {
                 move(v);
                 if (++moved_[v] > timesAlone)
                     for (const VertexId u : mesh_.ring(v))
                         move(u);
             }
         }
+    }
+
+    void moveToMiddle(VertexId v)
+    {
+        network_.moveVertex(v, (mesh_.position(v) + middleOfNeighbours(v)) / 2);
     }
 
     /// On the rim, of those along it.
@@ -90,9 +131,15 @@ int repairIntersections(GrowingNetwork &network, const VertexData<Point3> &befor
     return repair.restore(before) == 0 ? 0 : repair.smooth();
 }
 
-int repairClosing(GrowingNetwork &network, const RimNeighbours &rim)
+void unfold(GrowingNetwork &network, const std::vector<VertexId> &sheet)
 {
-    return IntersectionRepair(network, rim).smooth();
+    const RimNeighbours rim(network.mesh());
+    IntersectionRepair(network, rim).unfold(sheet);
+}
+
+int smoothRim(GrowingNetwork &network, const RimNeighbours &rim)
+{
+    return IntersectionRepair(network, rim).smoothRim();
 }
 
 } // namespace neuralmesh

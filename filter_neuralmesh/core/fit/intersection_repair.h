@@ -28,8 +28,13 @@ private:
     VertexData<VertexId> before_, after_;
 };
 
-/// The same where boundaries, those of `rim`, have been closed since by faces that reach far. Only
-/// smooths, and the vertices of the rim along it: their new neighbours are anywhere.
-int repairClosing(GrowingNetwork &network, const RimNeighbours &rim);
+/// Smooths the vertices whose star is folded, of these, until none is, as far as that goes: a sheet
+/// cannot be parted from a copy of it there.
+void unfold(GrowingNetwork &network, const std::vector<VertexId> &sheet);
+
+/// After boundaries, those of `rim`, have been closed by discs: smooths the rim along itself where
+/// it is so ragged that faces of the disc cross those beside it. Other vertices stay. Returns how
+/// many faces intersect another.
+int smoothRim(GrowingNetwork &network, const RimNeighbours &rim);
 
 } // namespace neuralmesh

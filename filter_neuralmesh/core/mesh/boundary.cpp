@@ -1,10 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/boundary.h"
 
+#include "core/mesh/edge_lengths.h"
 #include "core/mesh/enumeration.h"
 #include "core/mesh/vertex_data.h"
 
 namespace neuralmesh {
+
+VertexId startOfLongestBoundaryEdge(const NeuralMesh &mesh, const std::vector<VertexId> &vertices)
+{
+    VertexId longest = noVertex;
+    Scalar length = -1;
+    for (const VertexId v : vertices) {
+        if (!mesh.isOnBoundary(v))
+            continue;
+        const Scalar other = edgeLength(mesh, v, nextOnBoundary(mesh, v));
+        if (other > length) {
+            length = other;
+            longest = v;
+        }
+    }
+    return longest;
+}
 
 bool isClosed(const NeuralMesh &mesh)
 {

@@ -25,6 +25,9 @@ inline bool isBoundaryEdge(const NeuralMesh &mesh, VertexId v, VertexId u)
     return ring.isOpen() && ring.isBoundaryEdge(ring.find(u));
 }
 
+/// Where the longest edge of a boundary starts, of those from the vertices; noVertex without any.
+VertexId startOfLongestBoundaryEdge(const NeuralMesh &mesh, const std::vector<VertexId> &vertices);
+
 /// Whether no vertex lies on a boundary.
 bool isClosed(const NeuralMesh &mesh);
 

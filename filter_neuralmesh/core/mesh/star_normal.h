@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/mesh/enumeration.h"
 #include "core/mesh/neural_mesh.h"
 
 namespace neuralmesh {
@@ -20,6 +21,20 @@ inline Point3 starNormal(const NeuralMesh &mesh, VertexId v)
         previous = edge;
     }
     return normal.Normalize();
+}
+
+/// Whether a face around the vertex turns away from the star normal.
+inline bool isFolded(const NeuralMesh &mesh, VertexId v)
+{
+    constexpr Scalar leastTurn = 0.2; // cosine of 78 degrees
+    const Point3 &centre = mesh.position(v);
+    const Point3 normal = starNormal(mesh, v);
+    bool isFolded = false;
+    forEachFaceAround(mesh, v, [&](VertexId a, VertexId b) {
+        const Point3 face = (mesh.position(a) - centre) ^ (mesh.position(b) - centre);
+        isFolded = isFolded || face * normal < leastTurn * face.Norm();
+    });
+    return isFolded;
 }
 
 } // namespace neuralmesh

@@ -156,38 +156,20 @@ void GrowingNetwork::closeSheets(const std::vector<VertexId> &sheets)
 
 VertexId GrowingNetwork::splitBoundary(const std::vector<VertexId> &vertices)
 {
-    VertexId longest = noVertex;
-    Scalar length = -1;
-    for (const VertexId v : vertices) {
-        if (!mesh_.isOnBoundary(v))
-            continue;
-        const Scalar l = (mesh_.position(nextOnBoundary(mesh_, v)) - mesh_.position(v)).Norm();
-        if (l > length) {
-            length = l;
-            longest = v;
-        }
-    }
-    if (longest == noVertex)
+    const VertexId v = startOfLongestBoundaryEdge(mesh_, vertices);
+    if (v == noVertex)
         return noVertex;
-    return splitStar(balancedSplit(mesh_, longest, 0),
-                     (mesh_.position(nextOnBoundary(mesh_, longest)) + mesh_.position(longest)) /
-                         2);
+    return splitStar(balancedSplit(mesh_, v, 0),
+                     (mesh_.position(nextOnBoundary(mesh_, v)) + mesh_.position(v)) / 2);
 }
 
 bool GrowingNetwork::removeOne()
 {
-    std::vector<VertexId> candidates = mostRegularCollapses(mesh_);
-    forEachVertex(mesh_, [&](VertexId v) { candidates.push_back(v); });
-    for (const bool onSurface : {true, false})
-        for (const VertexId v : candidates) {
-            const VertexId into =
-                onSurface ? bestCollapseOnSurface(mesh_, v) : bestCollapse(mesh_, v);
-            if (into != noVertex) {
-                neuralmesh::collapse(mesh_, v, into);
-                return true;
-            }
-        }
-    return false;
+    const VertexCollapse least = leastVisibleCollapse(mesh_);
+    if (least.vertex == noVertex)
+        return false;
+    neuralmesh::collapse(mesh_, least.vertex, least.into);
+    return true;
 }
 
 void GrowingNetwork::evenValences()

@@ -119,4 +119,15 @@ VertexId bestCollapseOnSurface(const NeuralMesh &mesh, VertexId v)
                                 [&](VertexId u) { return collapseKeepsSurface(mesh, v, u); });
 }
 
+VertexCollapse leastVisibleCollapse(const NeuralMesh &mesh)
+{
+    std::vector<VertexId> candidates = mostRegularCollapses(mesh);
+    forEachVertex(mesh, [&](VertexId v) { candidates.push_back(v); });
+    for (const auto best : {bestCollapseOnSurface, bestCollapse})
+        for (const VertexId v : candidates)
+            if (const VertexId into = best(mesh, v); into != noVertex)
+                return {v, into};
+    return {};
+}
+
 } // namespace neuralmesh

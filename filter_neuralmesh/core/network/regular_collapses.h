@@ -17,9 +17,17 @@ VertexId bestCollapse(const NeuralMesh &mesh, VertexId v);
 /// below the smallest around v or 20 degrees.
 VertexId bestCollapseOnSurface(const NeuralMesh &mesh, VertexId v);
 
-/// Vertices of valence 5 whose collapse lowers the sum of squared excess
-/// valences, most first: where two of
-/// them are neighbours between two of valence 7, all four become 6.
+struct VertexCollapse {
+    VertexId vertex = noVertex;
+    VertexId into = noVertex;
+};
+
+/// The collapse of any vertex that keeps the surface, if there is one, and else any at all; those
+/// that even out valences first. Its vertex is noVertex where none may collapse.
+VertexCollapse leastVisibleCollapse(const NeuralMesh &mesh);
+
+/// Vertices of valence 5 whose collapse lowers the sum of squared excess valences, most first:
+/// where two of them are neighbours between two of valence 7, all four become 6.
 std::vector<VertexId> mostRegularCollapses(const NeuralMesh &mesh);
 
 } // namespace neuralmesh

@@ -73,13 +73,14 @@ StarSplit splitAlongBoundary(const NeuralMesh &mesh, VertexId v, int edge, int n
 int longestEdge(const NeuralMesh &mesh, VertexId v)
 {
     const NeighbourRing &ring = mesh.ring(v);
+    std::pair<bool, Scalar> most(false, -1); // an edge that spans no void is before any that does
     int longest = 0;
-    Scalar longestSquared = -1;
     for (int i = 0; i < ring.size(); ++i) {
-        const Scalar d = (mesh.position(ring[i]) - mesh.position(v)).SquaredNorm();
-        if (d > longestSquared && (longestSquared < 0 || !isOverlong(mesh, v, ring[i]))) {
+        const Scalar length = (mesh.position(ring[i]) - mesh.position(v)).SquaredNorm();
+        const std::pair<bool, Scalar> edge(!isOverlong(mesh, v, ring[i]), length);
+        if (edge > most) {
             longest = i;
-            longestSquared = d;
+            most = edge;
         }
     }
     return longest;

@@ -4,17 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/topology/closure_cost.h"
+
 namespace neuralmesh {
-namespace {
-
-/// Area of a membrane, in areas of the sheet that it closes, from which the pocket behind it is
-/// outside. Doubling the sheet costs its area, and the membrane, which no sample supports, its own:
-/// a disc that closes half a sphere is half as large as the sheet, a blob on a flat sheet larger
-/// than it.
-constexpr double largeMembrane = 0.7;
-
-} // namespace
-
 OutsideFlood::OutsideFlood(const Grid &inside, const std::vector<Point3> &points, double reach)
     : inside_(inside),
       steps_{inside.strideX(), -inside.strideX(), inside.strideY(), -inside.strideY(), 1, -1},
@@ -134,7 +126,8 @@ void OutsideFlood::judgePocket(std::size_t seed)
                 ++membrane;
             }
         }
-    if (static_cast<double>(membrane) <= largeMembrane * static_cast<double>(sheet))
+    // A blob on a flat sheet has a membrane that is larger than what it stands on.
+    if (static_cast<double>(membrane) <= largeDisc * static_cast<double>(sheet))
         return;
     doubled_ += sheet;
     for (const std::size_t i : nodes_)

@@ -9,14 +9,10 @@
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_topology.h"
 #include "core/mesh/triangle.h"
+#include "core/topology/closure_cost.h"
 
 namespace neuralmesh {
 namespace {
-
-/// Of the area of a component, what discs over its boundaries may have. Half a sphere's disc has
-/// half its area, that of a flat sheet all of it. The same tells a pocket behind a sheet from the
-/// inside (outside_flood.cpp).
-constexpr double largeDisc = 0.7;
 
 /// Area of the disc over a loop, at the least: that of its shadow in the plane of its vector area.
 double spannedArea(const NeuralMesh &mesh, const std::vector<VertexId> &loop)

@@ -95,19 +95,6 @@ TEST(OutlierFilter, finds_strays_that_are_near_enough_to_a_surface_not_to_be_alo
     EXPECT_EQ(wrong, 0);
 }
 
-TEST(OutlierFilter, keeps_the_points_beside_a_denser_part)
-{
-    // Half a square is sixteen times as dense: at the seam, neighbours are nearer to each other.
-    Random random(6);
-    std::vector<Point3> points;
-    for (int i = 0; i < 8500; ++i) {
-        const Point3 p = test::inUnitCube(random);
-        points.emplace_back((i < 8000 ? 0 : 0.5) + 0.5 * p.X(), p.Y(), 0);
-    }
-    const OutlierFilter filter(points, boundsOf(points));
-    EXPECT_LT(filter.share(), 0.001);
-}
-
 TEST(OutlierFilter, does_not_take_the_company_of_outliers_in_a_thin_box_for_a_surface)
 {
     // A frame of bars; what is between them lies in a box that is thirteen times as wide as high.

@@ -128,6 +128,33 @@ TEST(CoarseShape, of_thin_plates_at_an_angle_has_no_holes)
     expectShape(test::latticePoints(4000, 16, isSolid, 1), 1, 0);
 }
 
+TEST(CoarseShape, of_a_thin_wall_of_few_points_has_no_holes)
+{
+    // An open box; gaps between the points are as wide as its walls.
+    const auto isSolid = [](int x, int y, int z) {
+        return x == 0 || x == 11 || y == 0 || y == 11 || z == 0;
+    };
+    expectShape(test::latticePoints(4000, 12, isSolid, 1), 1, 0);
+}
+
+TEST(CoarseShape, of_an_open_sheet_among_strays_is_one_piece)
+{
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+        Random random(seed);
+        test::Points points;
+        while (points.size() < 750)
+            if (const Point3 p = test::spherePoints(1, random.below(1000000)).front(); p.Z() > 0.5)
+                points.push_back(p);
+        while (points.size() < 787) {
+            const Point3 p = test::inUnitCube(random);
+            points.emplace_back(2 * p.X() - 1, 2 * p.Y() - 1, 0.4 + 0.7 * p.Z());
+        }
+        NeuralMesh mesh;
+        findCoarseShape(mesh, points, points.size(), vertices, 0.1, {});
+        EXPECT_EQ(measureTopology(mesh).components, 1) << seed;
+    }
+}
+
 TEST(CoarseShape, knows_an_open_sheet)
 {
     NeuralMesh mesh;

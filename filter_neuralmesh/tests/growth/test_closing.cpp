@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Open points with a closed result: watertight, of the exact count, without crossings.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/closing.h"
+#include "core/growth.h"
+#include "core/mesh/boundary.h"
+#include "core/mesh/mesh_checks.h"
+#include "samplers/points/point_cloud_sampler.h"
+#include "tests/meshes_for_tests.h"
+#include "tests/points_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+using test::WorldPoints;
+
+/// A square sheet, bent.
+WorldPoints sheet(std::size_t count)
+{
+    Random random(1);
+    WorldPoints points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const vcg::Point3d p = test::inUnitCube(random);
+        points.emplace_back(p.X(), p.Y(), 0.2 * std::sin(3 * p.X()) * p.Y());
+    }
+    return points;
+}
+
+/// Of radius 1 and height 4, without its ends.
+WorldPoints tube(std::size_t count, std::uint64_t seed)
+{
+    Random random(seed);
+    WorldPoints points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double angle = 2 * M_PI * random.unit();
+        points.emplace_back(std::cos(angle), std::sin(angle), 4 * random.unit());
+    }
+    return points;
+}
+
+GrowthParameters closed(int target, std::uint64_t seed)
+{
+    GrowthParameters parameters;
+    parameters.targetVertexCount = target;
+    parameters.seed = seed;
+    parameters.topology = Topology::learned;
+    parameters.boundaries = BoundaryRule::closed;
+    return parameters;
+}
+
+void expectClosed(const NeuralMesh &mesh, int count)
+{
+    validate(mesh);
+    EXPECT_TRUE(isClosed(mesh));
+    EXPECT_EQ(mesh.vn, count);
+    const TopologyFigures figures = measureTopology(mesh);
+    EXPECT_EQ(figures.genus, 0);
+    EXPECT_EQ(figures.components, 1);
+}
+
+TEST(Closing, doubles_a_sheet_to_any_count)
+{
+    const PointCloudSampler sampler(sheet(5000));
+    for (const bool surfaceFit : {true, false})
+        for (int target = 400; target < 408; ++target) {
+            GrowthParameters parameters = closed(target, 1);
+            parameters.surfaceFit = surfaceFit;
+            NeuralMesh mesh;
+            const GrowthReport report = grow(mesh, sampler, parameters);
+            expectClosed(mesh, target);
+            EXPECT_TRUE(report.reachedTarget);
+            EXPECT_EQ(report.selfIntersections, 0) << target;
+            EXPECT_EQ(report.unsupportedArea, 0) << target; // no disc
+        }
+}
+
+TEST(Closing, snapshots_of_a_sheet_are_closed_and_of_their_count)
+{
+    const PointCloudSampler sampler(sheet(5000));
+    for (const bool surfaceFit : {true, false}) {
+        GrowthParameters parameters = closed(500, 1);
+        parameters.surfaceFit = surfaceFit;
+        parameters.snapshots = {450, 451, 480};
+        std::size_t taken = 0;
+        NeuralMesh mesh;
+        grow(mesh, sampler, parameters, {}, [&](std::unique_ptr<NeuralMesh> snapshot) {
+            expectClosed(*snapshot, parameters.snapshots[taken++]);
+        });
+        EXPECT_EQ(taken, parameters.snapshots.size());
+    }
+}
+
+TEST(Closing, discs_over_a_ragged_border_cross_nothing)
+{
+    // So few points that the border goes to and fro.
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+        const PointCloudSampler sampler(tube(3000, seed));
+        NeuralMesh mesh;
+        const GrowthReport report = grow(mesh, sampler, closed(1500, seed));
+        expectClosed(mesh, 1500);
+        EXPECT_EQ(report.selfIntersections, 0) << seed;
+    }
+}
+
+TEST(Closing, adds_no_more_than_there_is_room_for)
+{
+    NeuralMesh mesh;
+    test::makeSquare(mesh, 4);
+    GrowingNetwork network(mesh, Box3({0, 0, 0}, {4, 4, 1}), GrowthParameters{});
+    for (int i = 0; i < 10; ++i)
+        network.countSignal(12, {2, 2, 0.1}); // the middle is the most active, and counts twice
+    Closing closing(network, 40);
+    closing.judgeSheets();
+    EXPECT_EQ(closing.vertexCount(), 34);
+    EXPECT_EQ(closing.addVertex(6), 2);
+    EXPECT_EQ(closing.addVertex(1), 1);
+    EXPECT_EQ(closing.vertexCount(), 37);
+}
+
+} // namespace
+} // namespace neuralmesh
