@@ -13,8 +13,9 @@ from pathlib import Path
 import pytest
 
 from neuralmesh_tools.changed_build import BuildFailed, BuiltProgram, Stale
-from neuralmesh_tools.mutants.catalogue import FOLDER, MUTANTS, Mutant
+from neuralmesh_tools.mutants.catalogue import MUTANTS
 from neuralmesh_tools.mutants.command_line import Unusable, main, selected
+from neuralmesh_tools.mutants.mutant import FOLDER, Mutant
 from neuralmesh_tools.mutants.run import failing_tests
 from neuralmesh_tools.project import ROOT
 

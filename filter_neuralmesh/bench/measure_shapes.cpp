@@ -38,12 +38,13 @@ Figures measure(const bench::Target &target)
     const Result result = reconstruct(*target.sampler(), target.parameters);
     Figures figures;
     figures.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    const bench::Deviation there = bench::fromPoints(target.clean, result.mesh);
-    const bench::Deviation back =
-        target.isSeenFromOneSide ? there : bench::fromMesh(result.mesh, target.shape);
+    const test::WorldFaces faces = bench::facesOf(result.mesh);
+    const test::Deviation there = test::pointsToFaces(target.clean, faces);
+    const test::Deviation back =
+        target.isSeenFromOneSide ? there : test::facesToShape(faces, target.shape);
     const double percent = 100 / bench::diagonalOf(target.clean);
-    figures.rms = percent * std::sqrt((there.meanSquare + back.meanSquare) / 2);
-    figures.greatest = percent * std::max(there.greatest, back.greatest);
+    figures.rms = percent * std::hypot(there.rms, back.rms) / std::sqrt(2.0);
+    figures.greatest = percent * std::max(there.largest, back.largest);
     figures.valence6 = percentOfValence6(result.report);
     figures.crossings = result.report.selfIntersections;
     return figures;

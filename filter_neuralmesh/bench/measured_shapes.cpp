@@ -237,50 +237,13 @@ const std::vector<MeasuredShape> &measuredShapes()
     return shapes;
 }
 
-Deviation fromMesh(const Mesh &mesh, const Shape &shape)
+test::WorldFaces facesOf(const Mesh &mesh)
 {
-    constexpr int perFace = 6;
-    Random random(1);
-    double squares = 0;
-    double areas = 0;
-    double greatest = 0;
-    for (const Corners &face : mesh.triangles) {
-        const Place a = toVcg(mesh.positions[face[0]]);
-        const Place b = toVcg(mesh.positions[face[1]]);
-        const Place c = toVcg(mesh.positions[face[2]]);
-        const double area = ((b - a) ^ (c - a)).Norm();
-        for (int i = 0; i < perFace; ++i) {
-            const double u = std::sqrt(random.unit());
-            const double v = random.unit();
-            const double d =
-                std::abs(shape.distance(a * (1 - u) + b * (u * (1 - v)) + c * (u * v)));
-            squares += area * d * d;
-            areas += area;
-            greatest = std::max(greatest, d);
-        }
-    }
-    return {squares / areas, greatest};
-}
-
-Deviation fromPoints(const WorldPoints &points, const Mesh &mesh)
-{
-    constexpr std::size_t most = 2000;
-    const std::size_t stride = points.size() / most + 1;
-    double squares = 0;
-    double greatest = 0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < points.size(); i += stride) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const Corners &face : mesh.triangles)
-            least = std::min(least, squaredDistanceTo({toVcg(mesh.positions[face[0]]),
-                                                       toVcg(mesh.positions[face[1]]),
-                                                       toVcg(mesh.positions[face[2]])},
-                                                      points[i]));
-        squares += least;
-        greatest = std::max(greatest, least);
-        ++count;
-    }
-    return {squares / static_cast<double>(count), std::sqrt(greatest)};
+    test::WorldFaces faces;
+    for (const auto &[a, b, c] : mesh.triangles)
+        faces.push_back(
+            {toVcg(mesh.positions[a]), toVcg(mesh.positions[b]), toVcg(mesh.positions[c])});
+    return faces;
 }
 
 double diagonalOf(const WorldPoints &points)

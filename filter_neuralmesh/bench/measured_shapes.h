@@ -34,17 +34,7 @@ struct MeasuredShape {
 /// open, and by formulas.
 const std::vector<MeasuredShape> &measuredShapes();
 
-/// In units of the world.
-struct Deviation {
-    double meanSquare = 0;
-    double greatest = 0;
-};
-
-/// Of places on the mesh, uniform by area, from the shape.
-Deviation fromMesh(const Mesh &mesh, const test::Shape &shape);
-
-/// Of some of the points from the mesh, every face asked.
-Deviation fromPoints(const test::WorldPoints &points, const Mesh &mesh);
+test::WorldFaces facesOf(const Mesh &mesh);
 
 /// Of the bounding box.
 double diagonalOf(const test::WorldPoints &points);

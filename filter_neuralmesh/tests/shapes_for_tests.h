@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -141,23 +142,35 @@ inline WorldPoints withOutliers(WorldPoints points, double share, std::uint64_t 
     return points;
 }
 
-/// Root mean square and largest of some distances, in per cent of the points' diagonal.
+/// Root mean square and largest of some distances.
 struct Deviation {
     double rms, largest;
+
+    Deviation operator*(double factor) const { return {rms * factor, largest * factor}; }
 };
 
-/// Of places on the mesh, uniform by area, from the shape. `mesh` has faces.
-inline Deviation meshToShape(const NeuralMesh &mesh, const UnitFrame &frame, const Shape &shape)
+/// A mesh as its faces, in world coordinates.
+using WorldFaces = std::vector<std::array<vcg::Point3d, 3>>;
+
+/// `mesh` has faces.
+inline WorldFaces worldFaces(const NeuralMesh &mesh, const UnitFrame &frame)
+{
+    WorldFaces faces;
+    for (const NeuralFace &face : mesh.face)
+        faces.push_back(
+            {toWorld(frame, face.cP(0)), toWorld(frame, face.cP(1)), toWorld(frame, face.cP(2))});
+    return faces;
+}
+
+/// Of places on the faces, uniform by area, from the shape.
+inline Deviation facesToShape(const WorldFaces &faces, const Shape &shape)
 {
     constexpr int perFace = 6;
     Random random(1);
     double squares = 0;
     double areas = 0;
     double largest = 0;
-    for (const NeuralFace &face : mesh.face) {
-        const vcg::Point3d a = toWorld(frame, face.cP(0));
-        const vcg::Point3d b = toWorld(frame, face.cP(1));
-        const vcg::Point3d c = toWorld(frame, face.cP(2));
+    for (const auto &[a, b, c] : faces) {
         const double area = ((b - a) ^ (c - a)).Norm();
         for (int i = 0; i < perFace; ++i) {
             const double u = std::sqrt(random.unit());
@@ -169,13 +182,11 @@ inline Deviation meshToShape(const NeuralMesh &mesh, const UnitFrame &frame, con
             largest = std::max(largest, d);
         }
     }
-    const double percent = 100 / frame.diagonal();
-    return {std::sqrt(squares / areas) * percent, largest * percent};
+    return {std::sqrt(squares / areas), largest};
 }
 
-/// Of points from the nearest place on the mesh, every face asked. `mesh` has faces.
-inline Deviation pointsToMesh(const WorldPoints &points, const UnitFrame &frame,
-                              const NeuralMesh &mesh)
+/// Of some of the points from the nearest place on the faces, every one asked.
+inline Deviation pointsToFaces(const WorldPoints &points, const WorldFaces &faces)
 {
     constexpr std::size_t most = 2000;
     const std::size_t stride = points.size() / most + 1;
@@ -183,15 +194,25 @@ inline Deviation pointsToMesh(const WorldPoints &points, const UnitFrame &frame,
     double largest = 0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < points.size(); i += stride) {
-        const Point3 p = toUnit(frame, points[i]);
         double least = std::numeric_limits<double>::infinity();
-        for (const NeuralFace &face : mesh.face)
-            least = std::min(least, squaredDistanceTo({face.cP(0), face.cP(1), face.cP(2)}, p));
+        for (const auto &[a, b, c] : faces)
+            least = std::min(least, squaredDistanceTo({a, b, c}, points[i]));
         squares += least;
         largest = std::max(largest, least);
         ++count;
     }
-    return {100 * std::sqrt(squares / static_cast<double>(count)), 100 * std::sqrt(largest)};
+    return {std::sqrt(squares / static_cast<double>(count)), std::sqrt(largest)};
+}
+
+/// In per cent of the points' diagonal. `mesh` has faces.
+inline Deviation meshToShape(const NeuralMesh &mesh, const UnitFrame &frame, const Shape &shape)
+{
+    return facesToShape(worldFaces(mesh, frame), shape) * (100 / frame.diagonal());
+}
+inline Deviation pointsToMesh(const WorldPoints &points, const UnitFrame &frame,
+                              const NeuralMesh &mesh)
+{
+    return pointsToFaces(points, worldFaces(mesh, frame)) * (100 / frame.diagonal());
 }
 
 } // namespace neuralmesh::test

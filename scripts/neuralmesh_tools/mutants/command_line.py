@@ -13,7 +13,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from neuralmesh_tools.changed_build import BuildFailed, BuiltProgram, Stale
-from neuralmesh_tools.mutants.catalogue import MUTANTS, Mutant
+from neuralmesh_tools.mutants.catalogue import MUTANTS
+from neuralmesh_tools.mutants.mutant import Mutant
 from neuralmesh_tools.mutants.run import Verdict, failing_tests, judge_all
 from neuralmesh_tools.project import ROOT
 

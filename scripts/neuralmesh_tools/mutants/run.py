@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from neuralmesh_tools.changed_build import BuiltProgram
-from neuralmesh_tools.mutants.catalogue import Mutant
+from neuralmesh_tools.mutants.mutant import Mutant
 
 # A mutant may make a loop endless. The tests of one take seconds, all of them less than a minute.
 TIMEOUT = 300.0
