@@ -82,8 +82,7 @@ POINT_CASES = [
     ),
     pytest.param(
         on_a_plane(50),
-        "All points lie on a plane: a closed surface cannot be fitted to them. Set Topology to "
-        "'Learned from the data', which makes a sheet of them.",
+        "All points lie on a plane, and are too few or too uneven for a sheet to be found in them.",
         id="plane",
     ),
     pytest.param(

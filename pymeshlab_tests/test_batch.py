@@ -108,7 +108,8 @@ def test_a_killed_batch_goes_on_where_it_was(
 @pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM])
 def test_a_stopped_batch_reports_what_is_done_and_leaves_no_process(tmp_path: Path, stop: int):
     clouds, out = tmp_path / "clouds", tmp_path / "out"
-    write_clouds(clouds, 40)
+    count = 400  # far more than are done while the second batch starts
+    write_clouds(clouds, count)
     arguments = (clouds, "--out", out, "--vertices", 1000, "--workers", 2)
     stopped = start_batch(*arguments)
     wait_for(lambda: len(record_files(out)) >= 2, "the first items")
@@ -124,8 +125,8 @@ def test_a_stopped_batch_reports_what_is_done_and_leaves_no_process(tmp_path: Pa
     _, alive = psutil.wait_procs(helpers, timeout=20)
     assert not alive
     outcomes = [record["outcome"] for record in report(out)["records"]]
-    assert outcomes.count("returned") == len(record_files(out)) < len(outcomes) == 40
-    assert outcomes.count("pending") == 40 - outcomes.count("returned")
+    assert outcomes.count("returned") == len(record_files(out)) < len(outcomes) == count
+    assert outcomes.count("pending") == count - outcomes.count("returned")
 
 
 def test_a_rerun_does_what_is_missing_or_changed_only(tmp_path: Path):

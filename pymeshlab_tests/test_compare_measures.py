@@ -42,7 +42,7 @@ def test_a_larger_sphere_is_off_by_its_radius_against_a_surface_and_a_cloud():
         assert wide.values["f_score"] == pytest.approx(100)
         # Nearest normals of points a tenth of an edge apart differ by a degree or two.
         assert 99.5 < values["normal_consistency"] <= 100
-        assert values["far_from_points"] == 0
+        assert values["far_from_points"] == values["missed"] == 0
         assert (values["genus"], values["boundary_edges"], values["components"]) == (0, 0, 1)
         assert values["valence_6"] > 99
         assert measured.valence_shares[6] == values["valence_6"]
@@ -58,6 +58,15 @@ def test_gaps_between_points_are_no_error_but_surface_far_from_them_is():
     probes = np.array([[4.5, 4.5, 0.0], [4.5, 4.5, 0.2], [29.0, 5.0, 0.0]])
     assert reference.distances(probes) == pytest.approx([0, 0.2, 10])
     assert reference.far_from_points(probes).tolist() == [False, False, True]
+
+
+def test_what_a_mesh_leaves_out_is_missed():
+    points, faces = unit_sphere(12)
+    half = faces[points[faces][:, :, 2].max(axis=1) <= 0]
+    values = measure(points, half, sphere_cloud(), None, threshold=0.005).values
+    # The upper half but for three spacings of its border.
+    assert 40 < values["missed"] < 50
+    assert values["far_from_points"] == 0
 
 
 def test_normals_are_the_clouds_own_or_estimated_and_said_to_be(tmp_path: Path):

@@ -130,7 +130,7 @@ IMPLICIT_CASES = [
     ({"miny": 1, "maxy": 1}, "The box is empty: minY must be below maxY."),
     ({"maxz": np.nan}, "The box is empty: minZ must be below maxZ."),
     (
-        {"expr": "x + y"},
+        {"expr": "x + y", "topology": 0},
         "All points lie on a plane: a closed surface cannot be fitted to them. Set Topology to "
         "'Learned from the data', which makes a sheet of them.",
     ),
@@ -148,7 +148,7 @@ PARAMETRIC_CASES = [
         "All points lie in one place: there is no surface to reconstruct.",
     ),
     (
-        {"x": "u", "y": "v", "z": "0"},
+        {"x": "u", "y": "v", "z": "0", "topology": 0},
         "All points lie on a plane: a closed surface cannot be fitted to them. Set Topology to "
         "'Learned from the data', which makes a sheet of them.",
     ),

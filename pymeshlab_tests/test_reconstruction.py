@@ -71,7 +71,7 @@ def test_result_has_the_promised_keys_and_types(bunny_points: pymeshlab.MeshSet)
 
 
 def test_reported_figures_describe_the_mesh(bunny_points: pymeshlab.MeshSet) -> None:
-    result = reconstruct(bunny_points, targetvertnum=500, signalspersplit=50)
+    result = reconstruct(bunny_points, targetvertnum=500, topology=0, signalspersplit=50)
     mesh = bunny_points.current_mesh()
     histogram = np.asarray(result["valence_histogram"])
     assert histogram.sum() == mesh.vertex_number() == 500
@@ -257,6 +257,7 @@ def test_the_papers_table_1_comes_out_with_its_split_and_a_long_memory(
         vertices, faces = mesh_from(
             bunny_array,
             targetvertnum=target,
+            topology=0,
             splitrule=1,
             edgeflips=False,
             surfacefit=False,

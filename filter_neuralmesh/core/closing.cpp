@@ -31,7 +31,7 @@ int Closing::close()
     unfold(network_, sheets);
     network_.closeSheets(sheets);
     const RimNeighbours rim(network_.mesh());
-    network_.closeBoundaries();
+    holesFilled_ = network_.closeBoundaries();
     return smoothRim(network_, rim);
 }
 

@@ -18,7 +18,7 @@ public:
     }
 
     /// From now on, the sheets among the components count as if they were doubled.
-    void judgeSheets() { sheets_.judge(); }
+    void judgeSheets() { sheetsDoubled_ = sheets_.judge(); }
 
     int vertexCount() const { return network_.vertexCount() + sheets_.copies(); }
     /// By how many vertices a split may go beyond a count.
@@ -37,10 +37,16 @@ public:
     /// Closes all boundaries. Returns how many faces intersect another then.
     int close();
 
+    int sheetsDoubled() const { return sheetsDoubled_; }
+    /// Boundaries that close() filled by discs.
+    int holesFilled() const { return holesFilled_; }
+
 private:
     GrowingNetwork &network_;
     int target_;
     OpenSheets sheets_;
+    int sheetsDoubled_ = 0;
+    int holesFilled_ = 0;
 };
 
 } // namespace neuralmesh

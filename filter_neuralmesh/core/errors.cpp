@@ -92,10 +92,12 @@ std::string nameOf(Parameter parameter)
     return {};
 }
 
-FlatTarget::FlatTarget()
-    : InvalidInput(
-          "All points lie on a plane: a closed surface cannot be fitted to them. Learn the "
-          "topology from the data.")
+FlatTarget::FlatTarget(bool wasSought)
+    : InvalidInput(wasSought ? "All points lie on a plane, and are too few or too uneven for a "
+                               "sheet to be found in them."
+                             : "All points lie on a plane: a closed surface cannot be fitted to "
+                               "them. Learn the topology from the data."),
+      wasSought_(wasSought)
 {
 }
 

@@ -14,8 +14,10 @@
 #include "core/network/growing_network.h"
 #include "core/network/learning_rules.h"
 #include "core/random_streams.h"
+#include "core/result/convergence.h"
 #include "core/result/error_measure.h"
 #include "core/result/support_measure.h"
+#include "core/shape/quadric_decimation.h"
 #include "core/shape/start_from_data.h"
 #include "core/space/morton_order.h"
 #include "core/space/plain_points.h"
@@ -32,11 +34,8 @@ constexpr double batchPerVertex = 0.5;
 /// Samples from which the starting solid takes its place and shape.
 constexpr std::size_t startingSamples = 1000;
 
-/// Samples for each vertex by which the error is measured, of the result and on the way.
+/// Samples for each vertex by which the error of the result is measured.
 constexpr std::size_t samplesPerErrorMeasure = 6;
-constexpr std::size_t samplesPerConvergence = 2;
-/// Vertices at the first entry of the convergence.
-constexpr int firstDoubling = 8;
 
 /// Shares of the time until a start from the data is made, and until growth ends; the fit takes the
 /// rest.
@@ -65,28 +64,41 @@ void finishMesh(NeuralMesh &mesh)
     rebuildFaces(mesh);
 }
 
+void requireAtLeast(Parameter parameter, int count, int startingVertices)
+{
+    if (count < startingVertices)
+        throw InvalidParameter(parameter, InvalidParameter::Problem::belowStart, count,
+                               startingVertices);
+}
+
 bool startsFromData(const GrowthParameters &parameters)
 {
     return parameters.startMesh == StartMesh::fromData ||
-           (parameters.topology == Topology::learned && parameters.startMesh != StartMesh::given);
+           (parameters.topology == Topology::learned &&
+            parameters.startMesh == StartMesh::tetrahedron);
 }
 
 class Growth {
 public:
-    Growth(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-           Random &random, const Progress &progress, const NetworkTaker &takeSnapshot)
-        : parameters_(parameters), sampler_(sampler), progress_(progress),
+    Growth(NeuralMesh &mesh, LearnedShape shape, const Sampler &sampler,
+           const GrowthParameters &parameters, Random &random, const Progress &progress,
+           const NetworkTaker &takeSnapshot)
+        : parameters_(parameters), shape_(shape), sampler_(sampler), progress_(progress),
           takeSnapshot_(takeSnapshot), random_(random),
           measuring_(randomStream(parameters.seed, Purpose::measuring)),
-          network_(mesh, toVcg(sampler.bounds()), parameters),
+          convergence_(sampler, measuring_), network_(mesh, toVcg(sampler.bounds()), parameters),
           closing_(network_, parameters.targetVertexCount), order_(sampler.bounds())
     {
+        report_.changes.shape = shape;
+        network_.setLimbsAreWhole(shape == LearnedShape::found);
     }
 
-    /// Lets a starting mesh that was given take its place: λ signals for each vertex, as many as
+    /// Lets a starting mesh that has a shape take its place: λ signals for each vertex, as many as
     /// those of a grown network have had.
     void settle()
     {
+        convergence_.noteStart(network_.mesh(), parameters_);
+        growCoarseSnapshots();
         takeSnapshotIfDue();
         const auto enough = static_cast<std::uint64_t>(parameters_.signalsPerSplit) *
                             static_cast<std::uint64_t>(network_.vertexCount());
@@ -100,14 +112,12 @@ public:
     GrowthReport run()
     {
         takeSnapshotIfDue();
-        if (learnsBoundaries())
-            network_.closeHoles(parameters_.maxHoleSize);
+        closeHolesInData();
         if (isToBeClosed())
             closing_.judgeSheets();
         growToTarget();
         consolidate();
-        if (learnsBoundaries())
-            network_.closeHoles(parameters_.maxHoleSize);
+        closeHolesInData();
         closing_.settleCount();
         report_.splitCount = network_.verticesAdded();
         report_.collapseCount = network_.verticesRemoved();
@@ -123,21 +133,32 @@ public:
             measureSupport(network_, sampler_, measuring_, samplesPerErrorMeasure);
         report_.coverage = support.coverage;
         report_.unsupportedArea = support.unsupportedArea;
+        report_.convergence = convergence_.errors();
         report_.signalCount = network_.signals();
         report_.reachedTarget = isComplete();
         report_.keptIdle = isCrowded_;
+        report_.changes.websRemoved = network_.websRemoved();
+        report_.changes.tearsMended = network_.tearsMended();
+        report_.changes.holesFilled += closing_.holesFilled();
+        report_.changes.sheetsDoubled = closing_.sheetsDoubled();
         return report_;
     }
 
 private:
     /// Whether boundaries are those of the data, not those of a starting mesh that was given.
-    bool learnsBoundaries() const { return startsFromData(parameters_); }
+    bool learnsBoundaries() const { return shape_ == LearnedShape::found; }
     bool isToBeClosed() const
     {
         return learnsBoundaries() && parameters_.boundaries == BoundaryRule::closed;
     }
 
     bool isComplete() const { return closing_.room() <= 0; }
+
+    void closeHolesInData()
+    {
+        if (learnsBoundaries())
+            report_.changes.holesFilled += network_.closeHoles(parameters_.maxHoleSize);
+    }
 
     void growToTarget()
     {
@@ -229,29 +250,55 @@ private:
         int left = closing_.room();
         for (std::size_t i = 0; i < times && left > 0; ++i) {
             left -= closing_.addVertex(left);
-            noteConvergence();
+            convergence_.note(network_);
             takeSnapshotIfDue();
         }
     }
 
+    bool snapshotIsLeft() const
+    {
+        return takeSnapshot_ && snapshotsTaken_ < parameters_.snapshots.size();
+    }
+    int nextSnapshot() const { return parameters_.snapshots[snapshotsTaken_]; }
+
     void takeSnapshotIfDue()
     {
-        const std::vector<int> &counts = parameters_.snapshots;
-        if (!takeSnapshot_ || snapshotsTaken_ == counts.size() ||
-            closing_.vertexCount() < counts[snapshotsTaken_] - closing_.mostOver())
+        if (!snapshotIsLeft() || closing_.vertexCount() < nextSnapshot() - closing_.mostOver())
             return;
-        const int count = counts[snapshotsTaken_++];
+        const int count = nextSnapshot();
+        ++snapshotsTaken_;
         auto snapshot = std::make_unique<NeuralMesh>();
         snapshot->copyNetwork(network_.mesh());
         if (parameters_.surfaceFit || isToBeClosed())
-            finishSnapshot(*snapshot, count);
+            growSnapshot(*snapshot, count, &Growth::run);
         finishMesh(*snapshot);
         takeSnapshot_(std::move(snapshot));
     }
 
-    /// Consolidates and fits the snapshot, as a result of so many vertices. Its random numbers are
-    /// its own.
-    void finishSnapshot(NeuralMesh &snapshot, int count)
+    /// Those of fewer vertices than the start: each grows from a coarser one.
+    void growCoarseSnapshots()
+    {
+        while (snapshotIsLeft() && nextSnapshot() < network_.vertexCount()) {
+            const int count = nextSnapshot();
+            ++snapshotsTaken_;
+            auto snapshot = std::make_unique<NeuralMesh>();
+            snapshot->copyNetwork(network_.mesh());
+            decimate(*snapshot, count / 2);
+            requireAtLeast(Parameter::snapshots, count, snapshot->vn);
+            growSnapshot(*snapshot, count, &Growth::settleAndRun);
+            finishMesh(*snapshot);
+            takeSnapshot_(std::move(snapshot));
+        }
+    }
+
+    GrowthReport settleAndRun()
+    {
+        settle();
+        return run();
+    }
+
+    /// Finishes the snapshot as a result of so many vertices. Its random numbers are its own.
+    void growSnapshot(NeuralMesh &snapshot, int count, GrowthReport (Growth::*finish)())
     {
         GrowthParameters parameters = parameters_;
         parameters.targetVertexCount = count;
@@ -261,16 +308,8 @@ private:
             reportProgress();
             return true;
         };
-        Growth(snapshot, sampler_, parameters, random, progress, {}).run();
-    }
-
-    /// At the first time that the network has 8, 16, 32 ... vertices.
-    void noteConvergence()
-    {
-        if (network_.vertexCount() < firstDoubling << report_.convergence.size())
-            return;
-        report_.convergence.push_back(
-            measureError(network_, sampler_, measuring_, samplesPerConvergence).rms);
+        Growth growth(snapshot, shape_, sampler_, parameters, random, progress, {});
+        (growth.*finish)();
     }
 
     void collapseInactive()
@@ -303,7 +342,7 @@ private:
     void reportProgress()
     {
         // Each split takes λ signals, so the share of the vertices is the share of the work.
-        const double start = startsFromData(parameters_) ? shareOfStart : 0;
+        const double start = shape_ == LearnedShape::notAsked ? 0 : shareOfStart;
         report(progress_,
                start +
                    (shareOfGrowth - start) * network_.vertexCount() / parameters_.targetVertexCount,
@@ -311,11 +350,13 @@ private:
     }
 
     const GrowthParameters &parameters_;
+    LearnedShape shape_;
     const Sampler &sampler_;
     const Progress &progress_;
     const NetworkTaker &takeSnapshot_;
     Random &random_;
     Random measuring_; ///< of its own, so that measuring changes nothing
+    Convergence convergence_;
     GrowingNetwork network_;
     Closing closing_;
     MortonOrder order_;
@@ -339,18 +380,6 @@ void requireEnoughPoints(const Sampler &sampler, int target)
                                static_cast<double>(distinct));
 }
 
-void requireRoomAbove(int startingVertices, const GrowthParameters &parameters)
-{
-    const auto requireAtLeast = [&](Parameter parameter, int count) {
-        if (count < startingVertices)
-            throw InvalidParameter(parameter, InvalidParameter::Problem::belowStart, count,
-                                   startingVertices);
-    };
-    requireAtLeast(Parameter::targetVertexCount, parameters.targetVertexCount);
-    if (!parameters.snapshots.empty())
-        requireAtLeast(Parameter::snapshots, parameters.snapshots.front());
-}
-
 } // namespace
 
 GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
@@ -363,21 +392,30 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
         report(progress, shareOfStart * fraction, activity);
         return true;
     };
-    const bool hasShape =
-        startsFromData(parameters) && startFromData(mesh, sampler, parameters, inStart);
-    const bool hasStart = hasShape || parameters.startMesh == StartMesh::given;
+    LearnedShape shape = LearnedShape::notAsked;
+    int gaps = 0;
+    if (startsFromData(parameters)) {
+        const CoarseShape found = startFromData(mesh, sampler, parameters, inStart);
+        shape = found.isTrusted ? LearnedShape::found : LearnedShape::notFound;
+        gaps = found.isTrusted ? found.openings : 0;
+    }
+    const bool isFound = shape == LearnedShape::found;
+    const bool hasStart = isFound || parameters.startMesh == StartMesh::given;
     if (sampler.isFlat() && (!hasStart || isClosed(mesh)))
-        throw FlatTarget();
+        throw FlatTarget(shape != LearnedShape::notAsked);
     if (!hasStart) {
         std::vector<Point> drawn;
         sampler.draw(random, startingSamples, drawn);
         makeStartingSolid(mesh, parameters.startMesh, toVcg(drawn));
     }
-    requireRoomAbove(mesh.vn, parameters);
-    Growth growth(mesh, sampler, parameters, random, progress, takeSnapshot);
+    requireAtLeast(Parameter::targetVertexCount, parameters.targetVertexCount, mesh.vn);
+    if (!parameters.snapshots.empty() && !isFound)
+        requireAtLeast(Parameter::snapshots, parameters.snapshots.front(), mesh.vn);
+    Growth growth(mesh, shape, sampler, parameters, random, progress, takeSnapshot);
     if (hasStart)
         growth.settle();
     GrowthReport report = growth.run();
+    report.changes.gaps = gaps;
     finishMesh(mesh);
     return report;
 }

@@ -11,6 +11,7 @@
 #include "core/mesh/neural_mesh.h"
 #include "neuralmesh/parameters.h"
 #include "neuralmesh/progress.h"
+#include "neuralmesh/report.h"
 #include "neuralmesh/sampler.h"
 
 namespace neuralmesh {
@@ -22,13 +23,15 @@ struct GrowthReport {
     int selfIntersections = 0;       ///< faces of the result that intersect another
     bool reachedTarget = false;
     bool keptIdle = false; ///< vertices that win no sample, for want of points
+    TopologyChanges changes;
     /// Distances of fresh samples from the result, in the unit frame.
     double rmsError = 0;
     double maxError = 0;
     double coverage = 0;        ///< share of fresh samples that are near the result
     double unsupportedArea = 0; ///< share of the result's area that is far from all samples
     /// Root mean square distance of samples from the growing network, in the unit frame, as it
-    /// reached 8, 16, 32 ... vertices: entry k at 8 * 2^k.
+    /// reached 8, 16, 32 ... vertices: entry k at 8 * 2^k. Below the count of a starting mesh: of
+    /// the start, cut down to so many.
     std::vector<double> convergence;
 };
 
@@ -38,14 +41,17 @@ using NetworkTaker = std::function<void(std::unique_ptr<NeuralMesh> snapshot)>;
 /// Grows `mesh` from parameters.startMesh towards the sampler's target space, to exactly
 /// parameters.targetVertexCount vertices. The result is a closed oriented two-manifold, its
 /// outside outwards, in the sampler's unit frame, with faces. Its topology is that of the starting
-/// mesh: genus 0, or that of the mesh that is given.
+/// mesh: that of the data, genus 0, or that of the mesh that is given.
+///
+/// Where the data tell no shape that can be trusted, growth starts from the solid.
 ///
 /// With StartMesh::given, `mesh` holds the starting mesh, in the sampler's unit frame. It is drawn
 /// to the samples before it grows, which may leave it some vertices fewer.
 ///
 /// Snapshots are taken the first time that the network has the count of vertices, and never touch
 /// the result. Where the result is fitted to the surface, so are they, each as if it were the
-/// result; where not, they are the network as it is on the way.
+/// result; where not, they are the network as it is on the way. Those of
+/// fewer vertices than a start from the data has grow from a coarser one of their own.
 ///
 /// Always ends at the target: where splits and collapses come to balance each other before, as
 /// happens when the target is close to the number of distinct points, vertices are no longer

@@ -28,6 +28,7 @@ Report reportOf(const NeuralMesh &network, const GrowthReport &growth, double un
     report.selfIntersections = growth.selfIntersections;
     report.reachedTarget = growth.reachedTarget;
     report.keptIdle = growth.keptIdle;
+    report.changes = growth.changes;
     report.rmsError = growth.rmsError * unit;
     report.maxError = growth.maxError * unit;
     report.coverage = growth.coverage;

@@ -79,7 +79,8 @@ std::string sentenceFor(const InvalidInput &error)
         return parameter->sentence(filterParameter);
     if (const auto *start = dynamic_cast<const InvalidStartingMesh *>(&error))
         return start->sentence("The starting layer");
-    if (dynamic_cast<const FlatTarget *>(&error) != nullptr)
+    if (const auto *flat = dynamic_cast<const FlatTarget *>(&error);
+        flat != nullptr && !flat->wasSought())
         return "All points lie on a plane: a closed surface cannot be fitted to them. Set Topology "
                "to 'Learned from the data', which makes a sheet of them.";
     if (const auto *density = dynamic_cast<const InvalidDensity *>(&error))

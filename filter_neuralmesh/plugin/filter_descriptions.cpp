@@ -16,34 +16,32 @@ QString withReference(const QString &text)
 QString aboutReconstruction()
 {
     return withReference(
-        "Reconstructs a closed surface from points with a growing neural network: a tetrahedron is "
-        "moved by random samples of the points and grows by vertex splits until it has exactly the "
-        "number of vertices asked for."
+        "Reconstructs a surface from points with a growing neural network: a coarse mesh of the "
+        "points' own handles and parts is moved by random samples of the points and grows by "
+        "vertex splits until it has exactly the number of vertices asked for."
         "<br>For points without normals, with noise or in great number (the running time does not "
         "depend on it), and where the number of vertices matters. The points are those of the "
         "current layer, of its surface, of all visible layers, or of a file on disk. The result is "
-        "a closed two-manifold with even triangles and the topology of a sphere, or of the layer "
-        "that it starts from: open surfaces are closed.");
+        "a two-manifold with even triangles, closed or with the boundaries of the points.");
 }
 
 QString aboutImplicitSurface()
 {
     return withReference(
-        "Makes a closed mesh of exactly the number of vertices asked for from the surface on which "
-        "a function of x, y and z is zero, with a growing neural network: a tetrahedron that is "
-        "moved by random points of the surface, uniform by area, and grows by vertex splits."
-        "<br>Unlike marching cubes it makes even triangles. The result has the topology of a "
-        "sphere, or that of the layer that it starts from: where the surface leaves the box, it is "
-        "closed.");
+        "Makes a mesh of exactly the number of vertices asked for from the surface on which "
+        "a function of x, y and z is zero, with a growing neural network: a coarse mesh of the "
+        "surface that is moved by random points of it, uniform by area, and grows by vertex splits."
+        "<br>Unlike marching cubes it makes even triangles. The result has the handles and parts "
+        "of the surface. Where the surface leaves the box, it is closed, or open if you like.");
 }
 
 QString aboutParametricSurface()
 {
     return withReference(
-        "Makes a closed mesh of exactly the number of vertices asked for from the surface that x, "
-        "y and z as functions of u and v describe, with a growing neural network: a tetrahedron "
-        "that is moved by random points of the surface, uniform by area, and grows by vertex "
+        "Makes a mesh of exactly the number of vertices asked for from the surface that x, "
+        "y and z as functions of u and v describe, with a growing neural network: a coarse mesh of "
+        "the surface that is moved by random points of it, uniform by area, and grows by vertex "
         "splits."
-        "<br>The result has the topology of a sphere, or that of the layer that it starts from: "
-        "where the surface has a boundary, it is closed.");
+        "<br>The result has the handles and parts of the surface. Where the surface has a "
+        "boundary, it is closed, or open if you like.");
 }

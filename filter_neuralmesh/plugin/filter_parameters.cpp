@@ -105,13 +105,14 @@ void addCommonParameters(RichParameterList &list)
                           "it."));
 }
 
-void addStartParameters(RichParameterList &list, const MeshDocument &document)
+void addTopologyParameters(RichParameterList &list, const MeshDocument &document)
 {
     const neuralmesh::GrowthParameters d;
     list.addParam(RichEnum("Topology", static_cast<int>(d.topology),
                            {"That of the starting mesh", "Learned from the data"}, "Topology",
-                           "Handles and components of the result: those of the starting mesh, or "
-                           "those of the points."));
+                           "Handles and components of the result: those of the points, which "
+                           "growth starts from a coarse mesh of; or those of the starting mesh, as "
+                           "in the paper."));
     list.addParam(RichEnum("Boundaries", static_cast<int>(d.boundaries), {"Closed", "Open"},
                            "Boundaries",
                            "With a learned topology: closed is watertight, holes in the data are "
@@ -124,12 +125,19 @@ void addStartParameters(RichParameterList &list, const MeshDocument &document)
                                  diagonal, "Maximal hole size",
                                  "With open boundaries: smaller gaps in the data are closed. In "
                                  "per cent of the diagonal of the document's bounding box."));
+}
+
+void addStartParameters(RichParameterList &list, const MeshDocument &document)
+{
+    const neuralmesh::GrowthParameters d;
     const MeshModel *current = document.mm();
     const auto startLayer = static_cast<unsigned int>(current == nullptr ? 0 : current->id());
     list.addParam(RichEnum(
         "StartMesh", static_cast<int>(d.startMesh),
         {"Tetrahedron", "Octahedron", "Icosahedron", "A layer", "From the data"}, "Starting mesh",
-        "What the network grows from. Its topology is that of the result.", advanced));
+        "What the network grows from, and whose topology the result has. With a learned topology "
+        "it grows from the data, not from the tetrahedron.",
+        advanced));
     list.addParam(RichMesh("StartLayer", startLayer, &document, "Starting layer",
                            "With a layer as the starting mesh: a closed two-manifold, with as many "
                            "handles and components as the result shall have, roughly in place.",
@@ -171,6 +179,7 @@ RichParameterList reconstructionParameters(const MeshDocument &document)
                                "With a point file as the Source: binary PLY, LAS, or NumPy's NPY "
                                "(N by 3, float32 or float64), read in place. No layer is needed. "
                                "Colours and other properties of the file are not looked at."));
+    addTopologyParameters(list, document);
     addCommonParameters(list);
     list.addParam(RichBool("TransferAttributes", true, "Transfer attributes",
                            "Gives the result the vertex colours and quality of the input's layers, "
@@ -192,12 +201,13 @@ RichParameterList implicitParameters(const MeshDocument &document)
                              "Expression in x, y and z whose zeros are the surface, in the syntax "
                              "of muParser, as in the filter Implicit Surface."));
     const QString meaning = "Box in which the surface is looked for. Where the surface leaves the "
-                            "box it is open, and the network closes it.";
+                            "box it is open.";
     for (const QString axis : {"X", "Y", "Z"})
         list.addParam(RichFloat("min" + axis, -1, "Min " + axis, meaning));
     for (const QString axis : {"X", "Y", "Z"})
         list.addParam(RichFloat("max" + axis, 1, "Max " + axis, meaning));
     addResultParameters(list, neuralmesh::GrowthParameters().targetVertexCount);
+    addTopologyParameters(list, document);
     addCommonParameters(list);
     addStartParameters(list, document);
     addGrowthParameters(list);
@@ -212,13 +222,14 @@ RichParameterList parametricParameters(const MeshDocument &document)
     list.addParam(RichString("y", "sin(u)*sin(v)", "y =", meaning));
     list.addParam(RichString("z", "cos(v)", "z =", meaning));
     const auto pi = static_cast<Scalarm>(M_PI);
-    const QString range = "Range of the parameter. Where the surface has a boundary, the network "
-                          "closes it.";
+    const QString range = "Range of the parameter. Where it does not close, the surface has a "
+                          "boundary.";
     list.addParam(RichFloat("minU", 0, "Min U", range));
     list.addParam(RichFloat("maxU", 2 * pi, "Max U", range));
     list.addParam(RichFloat("minV", 0, "Min V", range));
     list.addParam(RichFloat("maxV", pi, "Max V", range));
     addResultParameters(list, neuralmesh::GrowthParameters().targetVertexCount);
+    addTopologyParameters(list, document);
     addCommonParameters(list);
     addStartParameters(list, document);
     addGrowthParameters(list);

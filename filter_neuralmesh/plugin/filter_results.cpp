@@ -27,19 +27,62 @@ std::string percent(double share)
     return text;
 }
 
+std::string counted(int count, const std::string &singular, const std::string &plural)
+{
+    return std::to_string(count) + " " + (count == 1 ? singular : plural);
+}
+
+/// What was opened, joined and filled; nothing where nothing was.
+std::string topologyChanges(const neuralmesh::TopologyChanges &changes)
+{
+    std::vector<std::string> parts;
+    const auto add = [&](int count, const char *singular, const char *plural, const char *how) {
+        if (count > 0)
+            parts.push_back(counted(count, singular, plural) + how);
+    };
+    add(changes.gaps, "gap in the data", "gaps in the data", " left open");
+    add(changes.websRemoved, "web", "webs", " between limbs removed");
+    add(changes.tearsMended, "torn limb", "torn limbs", " mended");
+    add(changes.holesFilled, "hole", "holes", " filled");
+    add(changes.sheetsDoubled, "open sheet", "open sheets", " closed by a second one behind");
+    std::string text;
+    for (const std::string &part : parts)
+        text += (text.empty() ? " " : ", ") + part;
+    return text.empty() ? text : text + ".";
+}
+
+std::string topology(const neuralmesh::Report &report)
+{
+    std::string text = " Topology: " + counted(report.components, "component", "components") +
+                       ", genus " + std::to_string(report.genus) + ", " +
+                       counted(report.boundaryLoops, "boundary loop", "boundary loops") + ".";
+    switch (report.changes.shape) {
+    case neuralmesh::LearnedShape::notAsked: text += " It is that of the starting mesh."; break;
+    case neuralmesh::LearnedShape::found: text += " It was learned from the data."; break;
+    case neuralmesh::LearnedShape::notFound:
+        text += " Warning: it is that of the starting mesh, since the points tell no shape that "
+                "can be trusted. More points may help, or less noise, or a starting layer.";
+    }
+    return text + topologyChanges(report.changes);
+}
+
 /// What in the result is not to be trusted, and what to try.
 std::string warnings(const neuralmesh::Report &report)
 {
     std::string text;
+    const bool isLearned = report.changes.shape != neuralmesh::LearnedShape::notAsked;
     if (report.coverage < leastCoverage)
         text += " Warning: " + percent(1 - report.coverage) +
-                " of the points are not near the mesh, which is not to be trusted. Try Topology "
-                "learned from the data, or a higher TargetVertNum.";
+                " of the points are not near the mesh, which is not to be trusted. Try " +
+                (isLearned ? "" : "Topology learned from the data, or ") +
+                "a higher TargetVertNum.";
     if (report.unsupportedArea > mostUnsupported)
         text +=
             " Warning: " + percent(report.unsupportedArea) +
             " of the mesh lies where there are no points: it closes holes in the data, or joins "
-            "parts of it. Try Topology learned from the data.";
+            "parts of it. Try " +
+            (isLearned ? "Boundaries open, or a smaller MaxHoleSize."
+                       : "Topology learned from the data.");
     if (report.selfIntersections > 0)
         text += " " + std::to_string(report.selfIntersections) +
                 " faces intersect another. Where walls are closer to each other than the vertices, "
@@ -88,5 +131,5 @@ std::string summary(const Reconstruction &reconstruction)
         text += " To reach TargetVertNum, vertices were kept that are nearest to no sample. Either "
                 "the target is close to the number of points, or InactivityFactor or "
                 "SignalsPerSplit is too low.";
-    return text + warnings(report);
+    return text + topology(report) + warnings(report);
 }

@@ -168,7 +168,7 @@ inline void addTorusAside(Scene &scene)
 }
 
 /// Step 6 on the scene's network, in which every vertex has won. `mesh` is what it makes of it.
-inline void collapseInactive(NeuralMesh &mesh, const Scene &scene)
+inline void collapseInactive(NeuralMesh &mesh, const Scene &scene, bool limbsAreWhole = false)
 {
     makeMesh(mesh, scene.points, scene.faces);
     Box3 bounds;
@@ -177,6 +177,7 @@ inline void collapseInactive(NeuralMesh &mesh, const Scene &scene)
     for (const Point3 &p : scene.samples)
         bounds.Add(p);
     GrowingNetwork network(mesh, bounds, GrowthParameters{});
+    network.setLimbsAreWhole(limbsAreWhole);
     network.collapse({}, SampleSupport(bounds, scene.samples));
 }
 

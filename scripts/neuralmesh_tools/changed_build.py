@@ -83,6 +83,8 @@ class BuiltProgram:
         words = [w for w in shlex.split(self._only_command(f" -o {old} -c ")) if w != "-Werror"]
         source = str(self._root / file)
         words = [str(changed) if word == source else word.replace(old, str(new)) for word in words]
+        if "-include" in words:  # a precompiled header may hold the file as it was
+            del words[words.index("-include") : words.index("-include") + 2]
         place = next(i for i, word in enumerate(words) if word.startswith("-I"))
         words.insert(place, f"-I{scratch}")
         _run(words, self.folder)

@@ -337,7 +337,8 @@ void GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const Sampl
         retractWebs(mesh_, support);
         if (rules_.websAreTakenOut && vertexCount() >= webVertices) {
             removeWebs(support);
-            mendTears(support);
+            if (!limbsAreWhole_)
+                mendTears(support);
         }
     }
     updateDecay();
@@ -354,15 +355,19 @@ void GrowingNetwork::judgeOpenness(const SampleSupport &support)
 
 void GrowingNetwork::removeWebs(const SampleSupport &support)
 {
-    for (const Refilling &web : findWebs(mesh_, support))
+    for (const Refilling &web : findWebs(mesh_, support)) {
         refillDisc(mesh_, web.rim, web.interior, web.triangles);
+        ++websRemoved_;
+    }
 }
 
 void GrowingNetwork::mendTears(const SampleSupport &support)
 {
-    for (int tear = 0; tear < mostTears; ++tear)
+    for (int tear = 0; tear < mostTears; ++tear) {
         if (!mendTear(mesh_, support, parameters_.targetVertexCount))
             return;
+        ++tearsMended_;
+    }
 }
 
 void GrowingNetwork::vertexAdded(VertexId v)

@@ -41,6 +41,13 @@ public:
     /// Vertices that went so far: by collapses, and with the webs that were taken out.
     std::uint64_t verticesRemoved() const { return removed_; }
 
+    /// Whether no limb of the target can be torn, as where the network started from its shape. Then
+    /// none is looked for, which takes long where there are many handles.
+    void setLimbsAreWhole(bool areWhole) { limbsAreWhole_ = areWhole; }
+
+    int websRemoved() const { return websRemoved_; }
+    int tearsMended() const { return tearsMended_; }
+
     /// The vertex nearest to the sample. The hint, any vertex that may be near, such as the one
     /// nearest to the last sample, saves time and changes nothing.
     VertexId nearestVertex(const Point3 &sample, VertexId hint = noVertex) const;
@@ -150,6 +157,9 @@ private:
     std::uint64_t lastCollapse_ = 0;
     std::uint64_t added_ = 0;
     std::uint64_t removed_ = 0;
+    int websRemoved_ = 0;
+    int tearsMended_ = 0;
+    bool limbsAreWhole_ = false;
     bool isJudged_ = false; ///< whether isOpen_ is known
     bool isOpen_ = false;
 };

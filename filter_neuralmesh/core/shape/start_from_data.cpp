@@ -15,22 +15,23 @@ namespace {
 constexpr int mostVertices = 500;
 
 /// Samples that it is made of; of fewer points, so many for each, which leaves out one in fifty.
-constexpr std::size_t mostSamples = 16000;
+constexpr std::size_t mostSamples = 64000;
 constexpr std::size_t samplesPerPoint = 4;
 
 } // namespace
 
-bool startFromData(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-                   const Progress &progress)
+CoarseShape startFromData(NeuralMesh &mesh, const Sampler &sampler,
+                          const GrowthParameters &parameters, const Progress &progress)
 {
     Random random = randomStream(parameters.seed, Purpose::shape);
     const std::size_t points = std::min(mostSamples, sampler.pointCount());
     std::vector<Point> samples;
     sampler.draw(random, std::min(mostSamples, samplesPerPoint * points), samples);
     const int vertices = std::min(mostVertices, parameters.targetVertexCount / 2);
-    const CoarseShape shape = findCoarseShape(mesh, toVcg(samples), sampler.pointCount(), vertices,
-                                              parameters.maxHoleSize, progress);
-    return shape.isTrusted && mesh.vn <= parameters.targetVertexCount;
+    CoarseShape shape = findCoarseShape(mesh, toVcg(samples), sampler.pointCount(), vertices,
+                                        parameters.maxHoleSize, progress);
+    shape.isTrusted = shape.isTrusted && mesh.vn <= parameters.targetVertexCount;
+    return shape;
 }
 
 } // namespace neuralmesh

@@ -3,16 +3,17 @@
 #pragma once
 
 #include "core/mesh/neural_mesh.h"
+#include "core/shape/coarse_shape.h"
 #include "neuralmesh/parameters.h"
 #include "neuralmesh/progress.h"
 #include "neuralmesh/sampler.h"
 
 namespace neuralmesh {
 
-/// Makes `mesh` a coarse closed mesh of the shape of the samples. False where no shape was found
-/// that can be trusted, or where it needs more vertices than the target has; `mesh` is then of no
-/// use. Throws Cancelled where `progress` says so.
-bool startFromData(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-                   const Progress &progress = {});
+/// Makes `mesh` a coarse mesh of the shape of the samples. The shape is not trusted either where it
+/// needs more vertices than the target has; `mesh` is then of no use. Throws Cancelled where
+/// `progress` says so.
+CoarseShape startFromData(NeuralMesh &mesh, const Sampler &sampler,
+                          const GrowthParameters &parameters, const Progress &progress = {});
 
 } // namespace neuralmesh

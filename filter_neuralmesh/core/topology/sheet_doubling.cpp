@@ -165,7 +165,7 @@ private:
 
 } // namespace
 
-void OpenSheets::judge()
+int OpenSheets::judge()
 {
     const std::vector<int> label = labelComponents(mesh_);
     const auto of = [&](VertexId v) { return static_cast<std::size_t>(label[v]); };
@@ -176,10 +176,13 @@ void OpenSheets::judge()
     std::vector<double> spanned(label.size(), 0);
     for (const std::vector<VertexId> &loop : boundaryLoops(mesh_))
         spanned[of(loop.front())] += spannedArea(mesh_, loop);
-    forEachVertex(mesh_, [&](VertexId v) {
-        isOfSheet_[v] = spanned[of(v)] > largeDisc * own[of(v)] ? 1 : 0;
-        isEmpty_ = isEmpty_ && isOfSheet_[v] == 0;
-    });
+    const auto isSheet = [&](std::size_t i) { return spanned[i] > largeDisc * own[i]; };
+    forEachVertex(mesh_, [&](VertexId v) { isOfSheet_[v] = isSheet(of(v)) ? 1 : 0; });
+    int sheets = 0;
+    for (std::size_t i = 0; i < own.size(); ++i)
+        sheets += isSheet(i) ? 1 : 0;
+    isEmpty_ = sheets == 0;
+    return sheets;
 }
 
 int OpenSheets::copies() const

@@ -18,7 +18,8 @@ public:
     explicit OpenSheets(const NeuralMesh &mesh) : mesh_(mesh), isOfSheet_(mesh, 0) {}
 
     /// Judges the components as they are. From now on they stay sheets, whatever becomes of them.
-    void judge();
+    /// Returns how many there are.
+    int judge();
 
     bool isEmpty() const { return isEmpty_; }
 

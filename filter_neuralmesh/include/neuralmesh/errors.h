@@ -20,7 +20,12 @@ public:
 /// closed one was asked for, or no open one was found.
 class FlatTarget : public InvalidInput {
 public:
-    FlatTarget();
+    /// Whether a shape was sought in vain.
+    explicit FlatTarget(bool wasSought);
+    bool wasSought() const { return wasSought_; }
+
+private:
+    bool wasSought_;
 };
 
 /// The progress callback asked to stop.

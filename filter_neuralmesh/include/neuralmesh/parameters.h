@@ -37,7 +37,8 @@ enum class BoundaryRule {
 enum class Topology {
     /// That of the starting mesh, as in the paper.
     ofStart,
-    /// That of the samples: growth starts from the data, unless a starting mesh is given.
+    /// That of the samples: growth starts from the data, unless another starting mesh than the
+    /// tetrahedron is chosen.
     learned
 };
 
@@ -72,9 +73,10 @@ struct GrowthParameters {
     bool edgeFlips = true;
     /// Whether growth closes with the surface fit.
     bool surfaceFit = true;
-    /// What the network starts from. Paper: a tetrahedron, "or any closed manifold" (§3).
+    Topology topology = Topology::learned;
+    /// What the network starts from; with Topology::learned, from the tetrahedron only where the
+    /// data tell no shape. Paper: a tetrahedron, "or any closed manifold" (§3).
     StartMesh startMesh = StartMesh::tetrahedron;
-    Topology topology = Topology::ofStart;
     /// With Topology::learned.
     BoundaryRule boundaries = BoundaryRule::closed;
     /// With open boundaries: gaps in the data up to this width are closed, in diagonals of the

@@ -6,6 +6,26 @@
 
 namespace neuralmesh {
 
+/// What became of the shape of the data.
+enum class LearnedShape {
+    /// Topology::ofStart, or a starting mesh that was given.
+    notAsked,
+    /// Growth started from it.
+    found,
+    /// Growth started from a solid, whose topology the result has.
+    notFound
+};
+
+/// What was opened, joined and filled on the way to a result.
+struct TopologyChanges {
+    LearnedShape shape = LearnedShape::notAsked;
+    int gaps = 0;          ///< in the data, at which the starting mesh was opened
+    int websRemoved = 0;   ///< faces across a void from one limb to another
+    int tearsMended = 0;   ///< limbs that were cut through
+    int holesFilled = 0;   ///< boundaries closed by discs
+    int sheetsDoubled = 0; ///< components closed by a second sheet behind the first
+};
+
 /// What is to be told about a result. Distances are in units of the input.
 struct Report {
     int vertices = 0;
@@ -27,6 +47,8 @@ struct Report {
     /// Whether vertices were kept that win no sample, for want of points.
     bool keptIdle = false;
 
+    TopologyChanges changes;
+
     /// Distances of fresh samples from the mesh.
     double rmsError = 0;
     double maxError = 0;
@@ -37,7 +59,8 @@ struct Report {
     /// over holes in the data, and of webs.
     double unsupportedArea = 0;
     /// Root mean square distance of samples from the growing network as it reached 8, 16, 32 ...
-    /// vertices: entry k at 8 * 2^k.
+    /// vertices: entry k at 8 * 2^k. Below the count of a starting mesh: of the start, cut down to
+    /// so many.
     std::vector<double> convergence;
 };
 

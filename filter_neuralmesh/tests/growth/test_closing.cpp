@@ -74,6 +74,7 @@ TEST(Closing, doubles_a_sheet_to_any_count)
             EXPECT_TRUE(report.reachedTarget);
             EXPECT_EQ(report.selfIntersections, 0) << target;
             EXPECT_EQ(report.unsupportedArea, 0) << target; // no disc
+            EXPECT_EQ(report.changes.sheetsDoubled, 1) << target;
         }
 }
 
@@ -102,6 +103,8 @@ TEST(Closing, discs_over_a_ragged_border_cross_nothing)
         const GrowthReport report = grow(mesh, sampler, closed(1500, seed));
         expectClosed(mesh, 1500);
         EXPECT_EQ(report.selfIntersections, 0) << seed;
+        EXPECT_EQ(report.changes.gaps, 2) << seed;
+        EXPECT_EQ(report.changes.holesFilled, 2) << seed;
     }
 }
 

@@ -42,8 +42,10 @@ TEST(Growth, gives_a_closed_sphere_of_exactly_the_vertices_asked_for)
 {
     const PointCloudSampler sampler(densePointsOnSphere());
     for (const int target : {4, 5, 17, 100, 1234}) {
+        GrowthParameters parameters = withTarget(target);
+        parameters.topology = Topology::ofStart;
         NeuralMesh mesh;
-        const GrowthReport report = grow(mesh, sampler, withTarget(target));
+        const GrowthReport report = grow(mesh, sampler, parameters);
         validate(mesh);
         const TopologyFigures topology = measureTopology(mesh);
         EXPECT_TRUE(report.reachedTarget);
@@ -54,6 +56,19 @@ TEST(Growth, gives_a_closed_sphere_of_exactly_the_vertices_asked_for)
         EXPECT_EQ(topology.components, 1);
         EXPECT_GT(signedVolume(mesh), 0);
         EXPECT_EQ(4 + report.splitCount - report.collapseCount, static_cast<std::uint64_t>(target));
+    }
+}
+
+TEST(Growth, from_the_data_gives_exactly_the_vertices_asked_for_too)
+{
+    const PointCloudSampler sampler(densePointsOnSphere());
+    for (const int target : {4, 5, 17, 100, 1234}) {
+        NeuralMesh mesh;
+        grow(mesh, sampler, withTarget(target));
+        validate(mesh);
+        EXPECT_EQ(mesh.vn, target);
+        EXPECT_EQ(mesh.fn, 2 * target - 4);
+        EXPECT_GT(signedVolume(mesh), 0);
     }
 }
 
@@ -91,6 +106,7 @@ TEST(Growth, reproduces_table_1_with_the_papers_split_and_a_long_memory)
     const PointCloudSampler sampler(densePointsOnSphere());
     for (const int target : {1000, 5000}) {
         GrowthParameters parameters = withTarget(target);
+        parameters.topology = Topology::ofStart;
         parameters.splitRule = SplitRule::paper;
         parameters.edgeFlips = false;
         parameters.surfaceFit = false;
@@ -232,14 +248,18 @@ TEST(Growth, stops_within_a_start_from_the_data_when_progress_says_so)
 TEST(Growth, reports_errors_that_fall_as_the_network_grows)
 {
     const PointCloudSampler sampler(densePointsOnSphere());
-    NeuralMesh mesh;
-    const GrowthReport report = grow(mesh, sampler, withTarget(1000));
-    ASSERT_EQ(report.convergence.size(), 7U); // at 8, 16, ... 512
-    for (std::size_t k = 1; k < report.convergence.size(); ++k)
-        EXPECT_LT(report.convergence[k], report.convergence[k - 1]);
-    EXPECT_LT(report.rmsError, report.convergence.back());
-    EXPECT_GT(report.maxError, report.rmsError);
-    EXPECT_LT(report.maxError, 10 * report.rmsError);
+    for (const Topology topology : {Topology::ofStart, Topology::learned}) {
+        GrowthParameters parameters = withTarget(1000);
+        parameters.topology = topology;
+        NeuralMesh mesh;
+        const GrowthReport report = grow(mesh, sampler, parameters);
+        ASSERT_EQ(report.convergence.size(), 7U); // at 8, 16, ... 512
+        for (std::size_t k = 1; k < report.convergence.size(); ++k)
+            EXPECT_LT(report.convergence[k], report.convergence[k - 1]);
+        EXPECT_LT(report.rmsError, report.convergence.back());
+        EXPECT_GT(report.maxError, report.rmsError);
+        EXPECT_LT(report.maxError, 10 * report.rmsError);
+    }
 }
 
 TEST(Growth, refuses_parameters_out_of_range)

@@ -8,6 +8,7 @@
 #include "neuralmesh/errors.h"
 #include "samplers/points/point_cloud_sampler.h"
 #include "tests/meshes_for_tests.h"
+#include "tests/points_for_tests.h"
 
 namespace neuralmesh {
 namespace {
@@ -70,6 +71,35 @@ TEST(Snapshots, are_closed_meshes_of_the_counts_asked_for_in_their_order)
             EXPECT_EQ(snapshots[i]->fn, 2 * counts[i] - 4);
             EXPECT_GT(signedVolume(*snapshots[i]), 0);
         }
+    }
+}
+
+TEST(Snapshots, coarser_than_a_start_from_the_data_have_its_handles)
+{
+    Random random(3);
+    test::WorldPoints points;
+    while (points.size() < 8000) {
+        const double a = 2 * M_PI * random.unit();
+        const double b = 2 * M_PI * random.unit();
+        if (random.unit() * 3 < 2 + std::cos(b))
+            points.emplace_back((2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a),
+                                std::sin(b));
+    }
+    const PointCloudSampler torus(points);
+    std::vector<int> taken;
+    NeuralMesh mesh;
+    grow(mesh, torus, withSnapshots({15, 60, 600}), {}, [&](std::unique_ptr<NeuralMesh> snapshot) {
+        validate(*snapshot);
+        EXPECT_EQ(measureTopology(*snapshot).genus, 1);
+        taken.push_back(snapshot->vn);
+    });
+    EXPECT_EQ(taken, (std::vector<int>{15, 60, 600}));
+    try {
+        grow(mesh, torus, withSnapshots({4}), {}, [](std::unique_ptr<NeuralMesh>) {});
+        FAIL() << "A torus of 4 vertices was accepted.";
+    } catch (const InvalidInput &error) { // none has fewer than 7
+        EXPECT_NE(std::string(error.what()).find("snapshots names 4 vertices, fewer than the "),
+                  std::string::npos);
     }
 }
 

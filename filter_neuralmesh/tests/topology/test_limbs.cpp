@@ -111,6 +111,26 @@ TEST(Limbs, a_torn_post_is_whole_again)
     }
 }
 
+/// The search for tears would take longer than all of growth where there are many handles.
+TEST(Limbs, are_not_mended_where_they_are_whole)
+{
+    NeuralMesh torn;
+    test::makeTornPost(torn);
+    Scene scene;
+    test::addMesh(scene, torn);
+    scene.samples = test::samplesOfPost(true);
+    test::addTorusAside(scene);
+    NeuralMesh mesh;
+    test::collapseInactive(mesh, scene, true);
+    Scalar furthest = 0;
+    for (int i = 0; i < 8; ++i) {
+        const Scalar angle = M_PI * i / 4;
+        furthest =
+            std::max(furthest, test::distanceFromMesh(mesh, {std::cos(angle), std::sin(angle), 0}));
+    }
+    EXPECT_GT(furthest, 0.4);
+}
+
 /// Two blunt spikes on a torus, each with samples at its foot and one at its tip. Faces that cut
 /// them off are as near to the samples, but the samples at the tips are not as near to the faces.
 TEST(Limbs, that_few_samples_show_keep_their_tips)

@@ -22,6 +22,7 @@ COLUMNS = (
     "output",
     "outcome",
     "error",
+    "warning",
     "seconds",
     "peak_megabytes",
     "seed",
@@ -58,6 +59,7 @@ def write_report(folder: OutFolder, records: Sequence[Record], recipe: Recipe) -
         "machine": machine(),
         "items": len(records),
         "failed": sum(bool(record["error"]) for record in records),
+        "doubtful": sum(bool(record.get("warning")) for record in records),
         "records": list(records),
     }
     write_in_one_step(folder.root / "report.json", json.dumps(report, indent=1) + "\n")

@@ -106,6 +106,9 @@ def _do(jobs: list[Job], settings: Settings, console: Console) -> None:
                     failed += 1
                     line = Text(f"{record['name']}: {record['error']}", style="red")
                     progress.console.print(line, soft_wrap=True)
+                elif record.get("warning"):
+                    line = Text(f"{record['name']}: {record['warning']}", style="yellow")
+                    progress.console.print(line, soft_wrap=True)
                 progress.update(bar, advance=1, failed=f"{failed} failed" if failed else "")
 
 
@@ -127,7 +130,10 @@ def _say_what_came_out(
         console.print(f"stopped; {done} done, {failed - pending} failed, {pending} to do")
         console.print("the same command goes on from here")
         return INTERRUPTED
-    console.print(f"{done} done, {failed} failed; {folder.root / 'report.csv'}", soft_wrap=True)
+    doubtful = sum(bool(record.get("warning")) for record in records)
+    warned = f", {doubtful} of them with a warning" if doubtful else ""
+    figures = f"{done} done{warned}, {failed} failed"
+    console.print(f"{figures}; {folder.root / 'report.csv'}", soft_wrap=True)
     return 1 if failed else 0
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from neuralmesh_tools.batching.folder import OutFolder, Record
 from neuralmesh_tools.batching.inputs import Item
 from neuralmesh_tools.batching.recipe import Recipe
+from neuralmesh_tools.doubts import doubts
 from neuralmesh_tools.isolation import IsolatedProcess, Outcome
 
 
@@ -126,6 +127,7 @@ def record_of(job: Job, outcome: Outcome) -> Record:
         "output_bytes": 0,
         "outcome": outcome.kind,
         "error": outcome.failure,
+        "warning": doubts(results),
         "seconds": round(outcome.seconds, 3),
         "peak_megabytes": round(outcome.peak_bytes / 2**20, 1),
         "results": results,

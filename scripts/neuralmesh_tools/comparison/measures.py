@@ -72,6 +72,7 @@ def measure(
         "chamfer": float(to_mesh.mean() + to_reference.mean()) / 2,
         "f_score": float(200 * precision * recall / max(precision + recall, 1e-300)),
         "normal_consistency": _normal_consistency(drawn, normals, reference),
+        "missed": float(100 * np.mean(to_mesh > reference.reach)),
         "far_from_points": float(100 * np.mean(reference.far_from_points(drawn))),
         **topology(points, faces),
     }

@@ -44,6 +44,7 @@ COLUMNS = (
     Column(
         "normal_consistency", "normals %", "mean |cosine| between nearest normals", ".1f", "high"
     ),
+    Column("missed", "missed %", "of the reference further than 3 spacings from the result", ".1f"),
     Column("far_from_points", "away %", "of area further than 3 spacings from all points", ".1f"),
     Column("boundary_edges", "boundary", "edges with one face", ",d"),
     Column("non_manifold_edges", "non-manifold", "edges with more than two faces", ",d"),

@@ -156,14 +156,19 @@ _OF_GROWTH = {
                 "samples a vertex",
                 "figures that are told follow from it, no mesh",
             ),
+            ("shareOfGrowth", "share of the time", "the progress bar follows from it, no mesh"),
+            ("signalsPerReport", "signals", "the progress bar follows from it, no mesh"),
+        ],
+    ),
+    **fixed(
+        "core/result/convergence.cpp",
+        [
             (
-                "samplesPerConvergence",
+                "samplesPerVertex",
                 "samples a vertex",
                 "figures that are told follow from it, no mesh",
             ),
             ("firstDoubling", "vertices", "figures that are told follow from it, no mesh"),
-            ("shareOfGrowth", "share of the time", "the progress bar follows from it, no mesh"),
-            ("signalsPerReport", "signals", "the progress bar follows from it, no mesh"),
         ],
     ),
 }

@@ -10,8 +10,8 @@ CLOSING: tuple[Mutant, ...] = (
         "sheets-get-discs",
         "an open sheet is closed by a second one",
         "core/topology/sheet_doubling.cpp",
-        "isOfSheet_[v] = spanned[of(v)] > largeDisc * own[of(v)] ? 1 : 0;",
-        "isOfSheet_[v] = 0;",
+        "return spanned[i] > largeDisc * own[i];",
+        "return spanned[i] < 0;",
         ("Closing.doubles_a_sheet_to_any_count",),
     ),
     Mutant(

@@ -29,7 +29,13 @@ class Setting:
 
 PAPERS = Setting(
     "as in the paper",
-    {"splitrule": 1, "edgeflips": False, "surfacefit": False, "inactivityfactor": 20},
+    {
+        "topology": 0,
+        "splitrule": 1,
+        "edgeflips": False,
+        "surfacefit": False,
+        "inactivityfactor": 20,
+    },
 )
 DEFAULTS = Setting("our defaults")
 SETTINGS = (PAPERS, DEFAULTS)

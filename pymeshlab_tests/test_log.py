@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the log says of a result: its topology, what was opened and filled, what is not right."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from documents import FILTER, Points, document_of, sphere_points
+
+pytestmark = pytest.mark.usefixtures("plugin")
+
+
+class Log:
+    """Reconstructs, and reads what the host writes of it."""
+
+    def __init__(self, capfd: pytest.CaptureFixture[str]) -> None:
+        """Read what capfd captures."""
+        self._capfd = capfd
+
+    def of(self, points: Points, **parameters: int) -> str:
+        """Reconstruct points to 800 vertices, and return the filter's line in the log."""
+        document = document_of(points)
+        document.set_verbosity(True)
+        self._capfd.readouterr()
+        document.apply_filter(FILTER, **({"targetvertnum": 800} | parameters))
+        lines = self._capfd.readouterr().err.splitlines()
+        return next(line for line in lines if "Neural mesh:" in line)
+
+
+@pytest.fixture
+def log(capfd: pytest.CaptureFixture[str]) -> Log:
+    """Return what gives the log of a reconstruction."""
+    return Log(capfd)
+
+
+def sheet_points(count: int) -> Points:
+    """Return random points of a bent square sheet, shape (count, 3)."""
+    x, y = np.random.default_rng(1).uniform(0, 1, (2, count))
+    return np.column_stack([x, y, 0.2 * np.sin(3 * x)])
+
+
+def test_a_learned_topology_is_told(log: Log) -> None:
+    points = np.vstack([sphere_points(4000), sphere_points(4000) + np.array([3, 0, 0])])
+    line = log.of(points)
+    assert (
+        "Topology: 2 components, genus 0, 0 boundary loops. It was learned from the data." in line
+    )
+    assert "Warning" not in line
+
+
+def test_a_topology_that_is_that_of_the_start_is_told(log: Log) -> None:
+    points = np.vstack([sphere_points(4000), sphere_points(4000) + np.array([3, 0, 0])])
+    line = log.of(points, topology=0)
+    assert "Topology: 1 component, genus 0, 0 boundary loops. It is that of the starting" in line
+
+
+def test_a_gap_that_stays_open_is_told(log: Log) -> None:
+    line = log.of(sheet_points(8000), boundaries=1)
+    assert "Topology: 1 component, genus 0, 1 boundary loop." in line
+    assert "1 gap in the data left open." in line
+
+
+def test_a_sheet_that_is_doubled_is_told(log: Log) -> None:
+    line = log.of(sheet_points(8000))
+    assert "0 boundary loops" in line
+    assert "1 open sheet closed by a second one behind." in line
+
+
+def test_holes_that_are_filled_are_told(log: Log) -> None:
+    angle, z = np.random.default_rng(1).uniform([0, 0], [2 * np.pi, 4], (8000, 2)).T
+    line = log.of(np.column_stack([np.cos(angle), np.sin(angle), z]))
+    assert "2 holes filled." in line
+
+
+def test_points_without_a_shape_are_told(log: Log) -> None:
+    # In a cube, not on a surface.
+    points = np.random.default_rng(1).uniform(0, 1, (3000, 3))
+    assert "Warning: it is that of the starting mesh" in log.of(points)
