@@ -60,11 +60,6 @@ constexpr Scalar thicknessOfSheets = 1e-3;
 /// How far around a sample other sheets are looked for, in mean lengths of the winner's edges.
 constexpr Scalar sheetDistance = 0.8;
 
-bool isYoung(int vertices)
-{
-    return vertices < youngVertices;
-}
-
 } // namespace
 
 GrowingNetwork::GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
@@ -89,9 +84,14 @@ VertexId GrowingNetwork::findWinner(const Point3 &sample, VertexId hint) const
     if (!rules_.winnerIsOnNearestSheet)
         return nearest;
     const StarProjection p =
-        isYoung(vertexCount()) ? projectOnStar(mesh_, nearest, sample) : project(nearest, sample);
+        isYoung() ? projectOnStar(mesh_, nearest, sample) : project(nearest, sample);
     const bool isOnOwnSheet = p.corners[0] == nearest;
     return isOnOwnSheet && !liesOnBoundary(mesh_, p) ? nearest : nearestCorner(p);
+}
+
+bool GrowingNetwork::isYoung() const
+{
+    return !limbsAreWhole_ && vertexCount() < youngVertices;
 }
 
 StarProjection GrowingNetwork::project(VertexId winner, const Point3 &sample) const
@@ -250,7 +250,7 @@ double GrowingNetwork::activity(VertexId winner, const Point3 &sample)
 int GrowingNetwork::signalsPerSplit() const
 {
     const int lambda = parameters_.signalsPerSplit;
-    return rules_.youngSplitTwiceAsOften && isYoung(vertexCount()) ? (lambda + 1) / 2 : lambda;
+    return rules_.youngSplitTwiceAsOften && isYoung() ? (lambda + 1) / 2 : lambda;
 }
 
 VertexId GrowingNetwork::splitMostActive()

@@ -41,8 +41,9 @@ public:
     /// Vertices that went so far: by collapses, and with the webs that were taken out.
     std::uint64_t verticesRemoved() const { return removed_; }
 
-    /// Whether no limb of the target can be torn, as where the network started from its shape. Then
-    /// none is looked for, which takes long where there are many handles.
+    /// Whether all limbs of the target are there, as where the network started from its shape. Then
+    /// it is never young, and torn limbs are not looked for, which takes long where there are many
+    /// handles.
     void setLimbsAreWhole(bool areWhole) { limbsAreWhole_ = areWhole; }
 
     int websRemoved() const { return websRemoved_; }
@@ -130,6 +131,7 @@ public:
     bool isOpenSurface() const { return isOpen_; }
 
 private:
+    bool isYoung() const;
     VertexId splitOff(VertexId v);
     VertexId splitStar(const StarSplit &star, const Point3 &position);
     void shareCounter(VertexId v, VertexId w);

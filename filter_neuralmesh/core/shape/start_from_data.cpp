@@ -11,8 +11,9 @@
 namespace neuralmesh {
 namespace {
 
-/// Vertices of the start: the shape of most things, and still coarse.
-constexpr int mostVertices = 500;
+/// Vertices of the start, as a share of the target's. A start that is much coarser than walls are
+/// thick does not part them, and growth does not do so later.
+constexpr double shareOfTarget = 0.5;
 
 /// Samples that it is made of; of fewer points, so many for each, which leaves out one in fifty.
 constexpr std::size_t mostSamples = 64000;
@@ -27,7 +28,7 @@ CoarseShape startFromData(NeuralMesh &mesh, const Sampler &sampler,
     const std::size_t points = std::min(mostSamples, sampler.pointCount());
     std::vector<Point> samples;
     sampler.draw(random, std::min(mostSamples, samplesPerPoint * points), samples);
-    const int vertices = std::min(mostVertices, parameters.targetVertexCount / 2);
+    const auto vertices = static_cast<int>(shareOfTarget * parameters.targetVertexCount);
     CoarseShape shape = findCoarseShape(mesh, toVcg(samples), sampler.pointCount(), vertices,
                                         parameters.maxHoleSize, progress);
     shape.isTrusted = shape.isTrusted && mesh.vn <= parameters.targetVertexCount;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <vcg/space/index/kdtree/kdtree.h>
 
@@ -33,6 +34,9 @@ constexpr double madToDeviation = 1.4826;
 /// one. Nine points at random in space have 0.118 in the median, on a sphere of 400 points 0.003.
 constexpr int surfaceNeighbours = 8;
 constexpr double mostSurfaceVariation = 0.02;
+/// Pilot points of a group apart from all others that is no part of the data, as a share of all, up
+/// to which its points are outliers: a mesh of 5,000 vertices would have a dozen for it.
+constexpr double mostOfGroup = 0.0025;
 /// Above this share of the places there are no outliers.
 constexpr double mostOutliers = 0.2;
 
@@ -66,6 +70,15 @@ public:
         return std::sqrt(furthest); // weights are squared distances
     }
 
+    std::vector<double> distances(int k)
+    {
+        std::vector<double> found;
+        found.reserve(pilot_.size());
+        for (const Point3 &point : pilot_)
+            found.push_back(distance(point, k));
+        return found;
+    }
+
     /// Whether a pilot point is off the plane of its k neighbours, and far from them as they are
     /// from theirs.
     bool strays(std::size_t index, const std::vector<double> &distances, int k)
@@ -91,6 +104,32 @@ public:
         const PrincipalAxes frame = principalAxes(around);
         const double height = std::abs(frame.axes.col(0).dot(toEigen(point) - frame.mean));
         return height > strayHeight * distances[index];
+    }
+
+    /// By pilot point: the one that stands for its group. Two of the k nearest neighbours belong
+    /// together where they are no further from each other than `ratio` times the distance of either
+    /// to its k-th neighbour, whatever the density; and all that do so by way of others.
+    std::vector<std::size_t> groups(double ratio, int k)
+    {
+        std::vector<std::size_t> parent(pilot_.size());
+        std::iota(parent.begin(), parent.end(), std::size_t(0));
+        const auto root = [&](std::size_t i) {
+            while (parent[i] != i)
+                i = parent[i] = parent[parent[i]];
+            return i;
+        };
+        const std::vector<double> reach = distances(k);
+        for (std::size_t i = 0; i < pilot_.size(); ++i) {
+            tree_.doQueryK(pilot_[i], k + 1, queue_);
+            for (int n = 0; n < queue_.getNofElements(); ++n) {
+                const auto other = static_cast<std::size_t>(queue_.getIndex(n));
+                if (std::sqrt(queue_.getWeight(n)) <= ratio * reach[other])
+                    parent[root(other)] = root(i);
+            }
+        }
+        for (std::size_t i = 0; i < parent.size(); ++i)
+            parent[i] = root(i);
+        return parent;
     }
 
     /// Surface variation (Pauly 2002) of a point and its k neighbours: the least eigenvalue's share
@@ -141,15 +180,27 @@ std::vector<Point3> withoutRepetitions(const std::vector<Point3> &points)
 
 std::vector<Point3> straysAmong(const std::vector<Point3> &pilot, PilotTree &tree)
 {
-    std::vector<double> distances;
-    distances.reserve(pilot.size());
-    for (const Point3 &point : pilot)
-        distances.push_back(tree.distance(point, neighbours));
+    const std::vector<double> distances = tree.distances(neighbours);
     std::vector<Point3> strays;
     for (std::size_t i = 0; i < pilot.size(); ++i)
         if (tree.strays(i, distances, neighbours))
             strays.push_back(pilot[i]);
     return strays;
+}
+
+/// By pilot point: whether its group is too small for a part of the data.
+std::vector<bool> inSmallGroups(std::size_t points, PilotTree &tree)
+{
+    const std::vector<std::size_t> group = tree.groups(leastRatio, neighbours);
+    std::vector<int> sizes(points, 0);
+    for (const std::size_t g : group)
+        ++sizes[g];
+    const double most = mostOfGroup * static_cast<double>(points);
+    std::vector<bool> found;
+    found.reserve(points);
+    for (const std::size_t g : group)
+        found.push_back(sizes[g] <= most);
+    return found;
 }
 
 /// Whether points that stand alone lie on surfaces of their own all the same, only sparser ones.
@@ -173,34 +224,57 @@ OutlierFilter::OutlierFilter(const std::vector<Point3> &points, const Box3 &boun
         return;
     const std::vector<Point3> drawn = thinned(points, pilotPoints);
     const std::vector<Point3> pilot = withoutRepetitions(drawn);
-    for (std::size_t i = 0; i < pilot.size(); ++i)
-        pilotGrid_.insert(static_cast<VertexId>(i), pilot[i]);
+    insert(pilot);
     PilotTree tree(pilot);
     radius_ = measureRadius(tree, pilot);
     if (drawn.size() == points.size())
         for (const Point3 &point : straysAmong(pilot, tree))
             strays_.insert(point);
-    std::vector<Point3> alone;
-    for (const Point3 &point : pilot)
-        if (standsAlone(point) || strays_.contains(point))
-            alone.push_back(point);
-        else
-            bounds_.Add(point);
-    bounds_.Offset(radius_);
-    if (alone.empty() ||
-        static_cast<double>(alone.size()) > mostOutliers * static_cast<double>(pilot.size()) ||
-        lieOnSurfaces(alone))
-        return;
-    const auto outliers = std::count_if(drawn.begin(), drawn.end(), [&](const Point3 &point) {
-        return standsAlone(point) || strays_.contains(point);
-    });
-    share_ = static_cast<double>(outliers) / static_cast<double>(drawn.size());
+    isInSmallGroup_ = inSmallGroups(pilot.size(), tree);
+    const Scalar reach = radius_;
+    judgeThoseAlone(pilot);
+    for (std::size_t i = 0; i < pilot.size(); ++i)
+        if (!isInSmallGroup_[i] && !isAlone(pilot[i]))
+            bounds_.Add(pilot[i]);
+    bounds_.Offset(reach);
+    pilotGrid_ = VertexGrid(bounds_);
+    insert(pilot);
+    const auto dirt = std::count_if(drawn.begin(), drawn.end(),
+                                    [&](const Point3 &point) { return isDirt(point); });
+    const auto places = std::count_if(pilot.begin(), pilot.end(),
+                                      [&](const Point3 &point) { return isDirt(point); });
+    if (static_cast<double>(places) <= mostOutliers * static_cast<double>(pilot.size()))
+        share_ = static_cast<double>(dirt) / static_cast<double>(drawn.size());
 }
 
-bool OutlierFilter::standsAlone(const Point3 &point) const
+void OutlierFilter::insert(const std::vector<Point3> &pilot)
 {
-    // A pilot point finds itself, another point does not: one more or less of four is no matter.
-    return radius_ > 0 && !pilotGrid_.hasWithin(point, radius_, neighbours + 1);
+    for (std::size_t i = 0; i < pilot.size(); ++i)
+        pilotGrid_.insert(static_cast<VertexId>(i), pilot[i]);
+}
+
+/// Where those alone, but for small groups, lie on surfaces, standing alone says nothing.
+void OutlierFilter::judgeThoseAlone(const std::vector<Point3> &pilot)
+{
+    std::vector<Point3> alone;
+    for (std::size_t i = 0; i < pilot.size(); ++i)
+        if (!isInSmallGroup_[i] && isAlone(pilot[i]))
+            alone.push_back(pilot[i]);
+    if (!lieOnSurfaces(alone))
+        return;
+    radius_ = 0;
+}
+
+bool OutlierFilter::isDirt(const Point3 &point) const
+{
+    return isInSmallGroup_[pilotGrid_.nearest(point)] || isAlone(point);
+}
+
+bool OutlierFilter::isAlone(const Point3 &point) const
+{
+    // A pilot point finds itself, another point does not: one more or less of eight is no matter.
+    return radius_ > 0 &&
+           (!pilotGrid_.hasWithin(point, radius_, neighbours + 1) || strays_.contains(point));
 }
 
 } // namespace neuralmesh

@@ -110,6 +110,21 @@ TEST(OutlierFilter, does_not_take_the_company_of_outliers_in_a_thin_box_for_a_su
     EXPECT_TRUE(OutlierFilter(points, boundsOf(points)).isActive());
 }
 
+TEST(OutlierFilter, finds_groups_too_small_for_a_part_and_keeps_small_parts)
+{
+    // Beside a sphere, a patch of 20 points as dense as it, and a small sphere of 60.
+    std::vector<Point3> points = test::spherePoints(10000, 1);
+    for (const vcg::Point3d &p : test::spherePoints(20, 2))
+        points.push_back(p * 0.06 + Point3(1.5, 0, 0));
+    for (const vcg::Point3d &p : test::spherePoints(60, 3))
+        points.push_back(p * 0.08 + Point3(0, 1.5, 0));
+    const OutlierFilter filter(points, boundsOf(points));
+    ASSERT_TRUE(filter.isActive());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_EQ(filter.isOutlier(points[i]), i >= 10000 && i < 10020) << i;
+    EXPECT_LT(filter.bounds().max.X(), 1.2);
+}
+
 TEST(OutlierFilter, takes_a_sparse_half_for_a_surface)
 {
     // The lower half holds a twenty-fifth of the points: five times the spacing.

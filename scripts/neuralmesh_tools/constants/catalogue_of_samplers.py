@@ -29,6 +29,7 @@ OF_SAMPLERS: dict[Key, Entry] = {
             ("deviations", "2", "8", "standard deviations"),
             ("surfaceNeighbours", "4", "16", "neighbours"),
             ("mostSurfaceVariation", "0.01", "0.04", "share of the variance"),
+            ("mostOfGroup", "0.00125", "0.005", "share of the points"),
             ("mostOutliers", "0.1", "0.4", "share of the points"),
         ],
     ),
