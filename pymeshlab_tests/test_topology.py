@@ -15,6 +15,8 @@ from neuralmesh_tools.benchmarks.topology.run import Job, measure_run
 from neuralmesh_tools.methods import Task
 
 VERTICES = 1_500
+# So many that an edge is shorter than its wall is thick.
+OF_THIN_CUP = 2_500
 
 CASES = [
     ("torus", "clean"),
@@ -27,6 +29,7 @@ CASES = [
     ("tube", "clean"),
     ("hemisphere-closed", "clean"),
     ("tube-closed", "clean"),
+    ("cup-3%-20000", "clean"),
 ]
 
 
@@ -38,6 +41,7 @@ def test_a_mesh_has_the_shape_of_its_data(plugin: Path, name: str, condition: st
         cloud = made(row.maker, row.points, condition, seed)
     except datasets.Unavailable as problem:
         pytest.skip(str(problem))
-    task = Task(VERTICES, parameters={**row.parameters, "randomseed": seed})
+    vertices = OF_THIN_CUP if name.startswith("cup") else VERTICES
+    task = Task(vertices, parameters={**row.parameters, "randomseed": seed})
     values = measure_run(Job(plugin, cloud, task, row.expected.window, distances=False))
-    assert faults(Run(name, condition, seed, VERTICES, values), row.expected) == []
+    assert faults(Run(name, condition, seed, vertices, values), row.expected) == []
