@@ -3,34 +3,51 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
-from documents import FILTER, Points, document_of, sphere_points
+from documents import FILTER, Points, sphere_points
 
-pytestmark = pytest.mark.usefixtures("plugin")
+PROGRAM = """
+import sys
+import numpy as np
+import pymeshlab
+
+pymeshlab.load_plugin(sys.argv[1])
+document = pymeshlab.MeshSet(verbose=True)
+document.add_mesh(pymeshlab.Mesh(np.load(sys.argv[2])), "cloud")
+parameters = dict(word.split("=") for word in sys.argv[4:])
+document.apply_filter(sys.argv[3], **{name: int(value) for name, value in parameters.items()})
+"""
 
 
 class Log:
-    """Reconstructs, and reads what the host writes of it."""
+    """Reads what the host writes, in a process of its own.
 
-    def __init__(self, capfd: pytest.CaptureFixture[str]) -> None:
-        """Read what capfd captures."""
-        self._capfd = capfd
+    Where a filter has failed before, PyMeshLab writes nothing more.
+    """
+
+    def __init__(self, plugin: Path, folder: Path) -> None:
+        """Reconstruct by the plugin; points go through a file in the folder."""
+        self._plugin = plugin
+        self._points = folder / "points.npy"
 
     def of(self, points: Points, **parameters: int) -> str:
         """Reconstruct points to 800 vertices, and return the filter's line in the log."""
-        document = document_of(points)
-        document.set_verbosity(True)
-        self._capfd.readouterr()
-        document.apply_filter(FILTER, **({"targetvertnum": 800} | parameters))
-        lines = self._capfd.readouterr().err.splitlines()
-        return next(line for line in lines if "Neural mesh:" in line)
+        np.save(self._points, points)
+        words = [f"{name}={value}" for name, value in ({"targetvertnum": 800} | parameters).items()]
+        command = [sys.executable, "-c", PROGRAM, self._plugin, self._points, FILTER, *words]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        return next(line for line in done.stderr.splitlines() if "Neural mesh:" in line)
 
 
 @pytest.fixture
-def log(capfd: pytest.CaptureFixture[str]) -> Log:
+def log(plugin: Path, tmp_path: Path) -> Log:
     """Return what gives the log of a reconstruction."""
-    return Log(capfd)
+    return Log(plugin, tmp_path)
 
 
 def sheet_points(count: int) -> Points:
