@@ -8,19 +8,22 @@ from collections.abc import Callable
 import numpy as np
 
 from neuralmesh_tools import datasets
+from neuralmesh_tools import generated_clouds as clouds
 from neuralmesh_tools.drawing import Picture
-from neuralmesh_tools.geometry import Faces, Points, diagonal
+from neuralmesh_tools.geometry import Faces, Points, diagonal, sample_surface
 from neuralmesh_tools.layers import arrays_of, document_of
 from neuralmesh_tools.metrics import point_distances
 from neuralmesh_tools.metrics import valences as count_valences
 from neuralmesh_tools.paper.runs import DEFAULTS, PAPERS
 from neuralmesh_tools.project import RECONSTRUCT
+from neuralmesh_tools.quality.shapes import picture_frame
 from neuralmesh_tools.quickstart import draw as draw_cloud_and_mesh
 
 Y_UP = (0.0, 1.0, 0.0)
 Z_UP = (0.0, 0.0, 1.0)
 BUNNY_VIEW = (-0.35, 0.25, 1.0)  # from the model to the viewer
 DINO_VIEW = (1.0, -0.45, 0.3)
+FROM_ABOVE = (0.4, -0.8, 0.9)
 SURFACE = "#fbf0dc"
 EDGES = {"show_edges": True, "edge_color": "#4a4438", "line_width": 0.8}
 FAR = "#d1495b"
@@ -51,9 +54,10 @@ def bunny() -> bytes:
 
 
 def growth() -> bytes:
-    """The network as it grows on the bunny."""
+    """The network as it grows on the bunny, from a tetrahedron."""
     points, _ = datasets.load("bunny")
-    meshes = grown(points, None, targetvertnum=2000, snapshots="20,100,500", surfacefit=False)
+    parameters = {"targetvertnum": 2000, "snapshots": "20,100,500", "surfacefit": False}
+    meshes = grown(points, None, topology=0, **parameters)
     picture = Picture(len(meshes), (330, 360))
     for vertices, faces in meshes:
         picture.view()
@@ -62,10 +66,30 @@ def growth() -> bytes:
     return picture.png()
 
 
+def topology() -> bytes:
+    """Meshes of clouds with a handle, of two parts, with a thin wall, and with a border."""
+    frame, _ = sample_surface(*picture_frame(0.3), 8_000, np.random.default_rng(1))
+    scenes = (
+        ("a frame: one handle", frame, 0),
+        ("two spheres: two parts", clouds.two_spheres(8_000, 1), 0),
+        ("a cup: a wall of two sides", clouds.cup(12_000, 1, 0.3), 0),
+        ("a terrain, with boundaries=1", clouds.terrain_grid(), 1),
+    )
+    picture = Picture(len(scenes), (330, 330))
+    for caption, points, boundaries in scenes:
+        target = min(1_500, len(points) // 2)
+        ((vertices, faces),) = grown(points, None, targetvertnum=target, boundaries=boundaries)
+        picture.view()
+        picture.add_mesh(vertices, faces, color=SURFACE, **EDGES)
+        picture.look_at(points, FROM_ABOVE, Z_UP, caption, 1.1)
+    return picture.png()
+
+
 def webs() -> bytes:
     """Faces far from the surface while the network is coarse, and what has become of them."""
     surface = datasets.load("dino")
-    meshes = grown(*surface, targetvertnum=1500, snapshots="300", surfacefit=False)
+    parameters = {"targetvertnum": 1500, "snapshots": "300", "surfacefit": False}
+    meshes = grown(*surface, topology=0, **parameters)
     picture = Picture(len(meshes), (600, 520))
     for vertices, faces in meshes:
         distance = point_distances(vertices[faces].mean(axis=1), *surface)
@@ -117,6 +141,7 @@ def valences() -> bytes:
 SCENES: dict[str, Callable[[], bytes]] = {
     "bunny": bunny,
     "growth": growth,
+    "topology": topology,
     "webs": webs,
     "fit": fit,
     "valences": valences,
