@@ -308,7 +308,8 @@ private:
             reportProgress();
             return true;
         };
-        Growth growth(snapshot, shape_, sampler_, parameters, random, progress, {});
+        const NetworkTaker none;
+        Growth growth(snapshot, shape_, sampler_, parameters, random, progress, none);
         (growth.*finish)();
     }
 
