@@ -42,6 +42,9 @@ constexpr std::size_t samplesPerErrorMeasure = 6;
 constexpr double shareOfStart = 0.05;
 constexpr double shareOfGrowth = 0.85;
 
+/// Share of the faces of a doubled sheet that cross others, from which it was no sheet.
+constexpr double mostCrossing = 0.1;
+
 /// Signals between two calls of the progress callback.
 constexpr std::size_t signalsPerReport = 10000;
 
@@ -381,6 +384,21 @@ void requireEnoughPoints(const Sampler &sampler, int target)
                                static_cast<double>(distinct));
 }
 
+/// A plate is thinner than the cells by which shapes are found, and looks like an open sheet. Two
+/// sheets back to back in its middle cross each other everywhere; the solid has its two sides.
+GrowthReport growFromSolid(NeuralMesh &mesh, const Sampler &sampler,
+                           const GrowthParameters &parameters, const Progress &progress,
+                           const NetworkTaker &takeSnapshot)
+{
+    GrowthParameters ofStart = parameters;
+    ofStart.topology = Topology::ofStart;
+    ofStart.startMesh = StartMesh::tetrahedron;
+    mesh.Clear();
+    GrowthReport report = grow(mesh, sampler, ofStart, progress, takeSnapshot);
+    report.changes.shape = LearnedShape::notFound;
+    return report;
+}
+
 } // namespace
 
 GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
@@ -395,10 +413,12 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
     };
     LearnedShape shape = LearnedShape::notAsked;
     int gaps = 0;
+    bool isSheet = false;
     if (startsFromData(parameters)) {
         const CoarseShape found = startFromData(mesh, sampler, parameters, inStart);
         shape = found.isTrusted ? LearnedShape::found : LearnedShape::notFound;
         gaps = found.isTrusted ? found.openings : 0;
+        isSheet = found.isSheet;
     }
     const bool isFound = shape == LearnedShape::found;
     const bool hasStart = isFound || parameters.startMesh == StartMesh::given;
@@ -412,12 +432,26 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
     requireAtLeast(Parameter::targetVertexCount, parameters.targetVertexCount, mesh.vn);
     if (!parameters.snapshots.empty() && !isFound)
         requireAtLeast(Parameter::snapshots, parameters.snapshots.front(), mesh.vn);
-    Growth growth(mesh, shape, sampler, parameters, random, progress, takeSnapshot);
-    if (hasStart)
-        growth.settle();
-    GrowthReport report = growth.run();
+    std::vector<std::unique_ptr<NeuralMesh>> kept;
+    const NetworkTaker keep = [&](std::unique_ptr<NeuralMesh> snapshot) {
+        kept.push_back(std::move(snapshot));
+    };
+    const bool mayBePlate =
+        isFound && isSheet && !sampler.isFlat() && parameters.boundaries == BoundaryRule::closed;
+    GrowthReport report;
+    { // what follows the mesh ends before another growth starts
+        Growth growth(mesh, shape, sampler, parameters, random, progress,
+                      mayBePlate && takeSnapshot ? keep : takeSnapshot);
+        if (hasStart)
+            growth.settle();
+        report = growth.run();
+    }
     report.changes.gaps = gaps;
     finishMesh(mesh);
+    if (mayBePlate && report.selfIntersections > mostCrossing * mesh.fn)
+        return growFromSolid(mesh, sampler, parameters, progress, takeSnapshot);
+    for (std::unique_ptr<NeuralMesh> &snapshot : kept)
+        takeSnapshot(std::move(snapshot));
     return report;
 }
 

@@ -70,10 +70,10 @@ def topology() -> bytes:
     """Meshes of clouds with a handle, of two parts, with a thin wall, and with a border."""
     frame, _ = sample_surface(*picture_frame(0.3), 8_000, np.random.default_rng(1))
     scenes = (
-        ("a frame: one handle", frame, 0),
-        ("two spheres: two parts", clouds.two_spheres(8_000, 1), 0),
-        ("a cup: a wall of two sides", clouds.cup(12_000, 1, 0.3), 0),
-        ("a terrain, with boundaries=1", clouds.terrain_grid(), 1),
+        ("a frame", frame, 0),
+        ("two spheres", clouds.two_spheres(8_000, 1), 0),
+        ("a cup", clouds.cup(12_000, 1, 0.3), 0),
+        ("a terrain, open", clouds.terrain_grid(), 1),
     )
     picture = Picture(len(scenes), (330, 330))
     for caption, points, boundaries in scenes:
