@@ -18,11 +18,10 @@
 #include "core/result/error_measure.h"
 #include "core/result/support_measure.h"
 #include "core/shape/quadric_decimation.h"
-#include "core/shape/start_from_data.h"
 #include "core/space/morton_order.h"
 #include "core/space/plain_points.h"
 #include "core/space/point_spacing.h"
-#include "core/topology/starting_mesh.h"
+#include "core/start.h"
 
 namespace neuralmesh {
 namespace {
@@ -31,9 +30,6 @@ namespace {
 /// cache, smaller ones let counters steer each split sooner.
 constexpr double batchPerVertex = 0.5;
 
-/// Samples from which the starting solid takes its place and shape.
-constexpr std::size_t startingSamples = 1000;
-
 /// Samples for each vertex by which the error of the result is measured.
 constexpr std::size_t samplesPerErrorMeasure = 6;
 
@@ -41,9 +37,6 @@ constexpr std::size_t samplesPerErrorMeasure = 6;
 /// rest.
 constexpr double shareOfStart = 0.05;
 constexpr double shareOfGrowth = 0.85;
-
-/// Share of the faces of a doubled sheet that cross others, from which it was no sheet.
-constexpr double mostCrossing = 0.1;
 
 /// Signals between two calls of the progress callback.
 constexpr std::size_t signalsPerReport = 10000;
@@ -65,20 +58,6 @@ void finishMesh(NeuralMesh &mesh)
     if (isClosed(mesh) && signedVolume(mesh) < 0)
         reverseOrientation(mesh);
     rebuildFaces(mesh);
-}
-
-void requireAtLeast(Parameter parameter, int count, int startingVertices)
-{
-    if (count < startingVertices)
-        throw InvalidParameter(parameter, InvalidParameter::Problem::belowStart, count,
-                               startingVertices);
-}
-
-bool startsFromData(const GrowthParameters &parameters)
-{
-    return parameters.startMesh == StartMesh::fromData ||
-           (parameters.topology == Topology::learned &&
-            parameters.startMesh == StartMesh::tetrahedron);
 }
 
 class Growth {
@@ -384,21 +363,6 @@ void requireEnoughPoints(const Sampler &sampler, int target)
                                static_cast<double>(distinct));
 }
 
-/// A plate is thinner than the cells by which shapes are found, and looks like an open sheet. Two
-/// sheets back to back in its middle cross each other everywhere; the solid has its two sides.
-GrowthReport growFromSolid(NeuralMesh &mesh, const Sampler &sampler,
-                           const GrowthParameters &parameters, const Progress &progress,
-                           const NetworkTaker &takeSnapshot)
-{
-    GrowthParameters ofStart = parameters;
-    ofStart.topology = Topology::ofStart;
-    ofStart.startMesh = StartMesh::tetrahedron;
-    mesh.Clear();
-    GrowthReport report = grow(mesh, sampler, ofStart, progress, takeSnapshot);
-    report.changes.shape = LearnedShape::notFound;
-    return report;
-}
-
 } // namespace
 
 GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
@@ -411,47 +375,13 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
         report(progress, shareOfStart * fraction, activity);
         return true;
     };
-    LearnedShape shape = LearnedShape::notAsked;
-    int gaps = 0;
-    bool isSheet = false;
-    if (startsFromData(parameters)) {
-        const CoarseShape found = startFromData(mesh, sampler, parameters, inStart);
-        shape = found.isTrusted ? LearnedShape::found : LearnedShape::notFound;
-        gaps = found.isTrusted ? found.openings : 0;
-        isSheet = found.isSheet;
-    }
-    const bool isFound = shape == LearnedShape::found;
-    const bool hasStart = isFound || parameters.startMesh == StartMesh::given;
-    if (sampler.isFlat() && (!hasStart || isClosed(mesh)))
-        throw FlatTarget(shape != LearnedShape::notAsked);
-    if (!hasStart) {
-        std::vector<Point> drawn;
-        sampler.draw(random, startingSamples, drawn);
-        makeStartingSolid(mesh, parameters.startMesh, toVcg(drawn));
-    }
-    requireAtLeast(Parameter::targetVertexCount, parameters.targetVertexCount, mesh.vn);
-    if (!parameters.snapshots.empty() && !isFound)
-        requireAtLeast(Parameter::snapshots, parameters.snapshots.front(), mesh.vn);
-    std::vector<std::unique_ptr<NeuralMesh>> kept;
-    const NetworkTaker keep = [&](std::unique_ptr<NeuralMesh> snapshot) {
-        kept.push_back(std::move(snapshot));
-    };
-    const bool mayBePlate =
-        isFound && isSheet && !sampler.isFlat() && parameters.boundaries == BoundaryRule::closed;
-    GrowthReport report;
-    { // what follows the mesh ends before another growth starts
-        Growth growth(mesh, shape, sampler, parameters, random, progress,
-                      mayBePlate && takeSnapshot ? keep : takeSnapshot);
-        if (hasStart)
-            growth.settle();
-        report = growth.run();
-    }
-    report.changes.gaps = gaps;
+    const Start start = makeStart(mesh, sampler, parameters, random, inStart);
+    Growth growth(mesh, start.shape, sampler, parameters, random, progress, takeSnapshot);
+    if (start.hasShape)
+        growth.settle();
+    GrowthReport report = growth.run();
+    report.changes.gaps = start.gaps;
     finishMesh(mesh);
-    if (mayBePlate && report.selfIntersections > mostCrossing * mesh.fn)
-        return growFromSolid(mesh, sampler, parameters, progress, takeSnapshot);
-    for (std::unique_ptr<NeuralMesh> &snapshot : kept)
-        takeSnapshot(std::move(snapshot));
     return report;
 }
 

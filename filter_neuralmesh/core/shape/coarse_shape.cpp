@@ -13,6 +13,7 @@
 #include "core/shape/quadric_decimation.h"
 #include "core/shape/shape_reading.h"
 #include "core/shape/surface_support.h"
+#include "core/shape/two_sides.h"
 #include "core/shape/winding_field.h"
 
 namespace neuralmesh {
@@ -54,6 +55,10 @@ constexpr double crustOfSpacings = 1.6;
 /// Share of the surface that the flood would double, from which the points are taken for an open
 /// sheet: then the field closes it to one side by a membrane, and the flood says nothing.
 constexpr double shareOfSheet = 0.5;
+
+/// Around a point, so far the two sides of a plate are looked for, in cells: further than the flood
+/// passes through.
+constexpr double sidesInCells = 2;
 
 /// The level is at the least this: a field that stays below it around some points does not tell
 /// inside from outside there.
@@ -160,7 +165,8 @@ private:
             improve(first + (last - first) * round / (rounds - 1));
         const OutsideFlood flood(insideness(), points_,
                                  std::max(crustOfCells, crustOfSpacings * spacing()));
-        isSheet_ = isSheet_ || flood.doubledShare() > shareOfSheet;
+        isSheet_ = isSheet_ || (flood.doubledShare() > shareOfSheet &&
+                                !haveTwoSides(points_, sidesInCells / resolution()));
         if (isSheet_)
             return;
         field_.holdOutside(flood.outside());

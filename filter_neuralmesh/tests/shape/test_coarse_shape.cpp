@@ -47,6 +47,30 @@ const test::Points &sphere()
     return points;
 }
 
+/// The surface of a slab of 1 x 0.6, bent, thinner than a cell of the first grid.
+test::Points plate()
+{
+    constexpr double thickness = 0.025;
+    Random random(2);
+    test::Points points;
+    for (int i = 0; i < 8000; ++i) {
+        double x = random.unit();
+        double y = 0.6 * random.unit();
+        double z = thickness * (random.unit() < 0.5 ? 0.5 : -0.5);
+        if (i % 16 == 0) { // its rim
+            (random.unit() < 0.5 ? x = std::round(x) : y = 0.6 * std::round(y / 0.6));
+            z = thickness * (random.unit() - 0.5);
+        }
+        points.emplace_back(x, y, z + 0.1 * x * x);
+    }
+    return points;
+}
+
+TEST(CoarseShape, of_a_thin_plate_is_no_sheet)
+{
+    expectShape(plate(), 1, 0);
+}
+
 /// A square with a wave in it, of side 1.
 test::Points sheet()
 {

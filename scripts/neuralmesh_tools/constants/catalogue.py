@@ -156,7 +156,6 @@ _OF_GROWTH = {
                 "samples a vertex",
                 "figures that are told follow from it, no mesh",
             ),
-            ("mostCrossing", "share of the faces", "sheets have next to none, plates half"),
             ("shareOfGrowth", "share of the time", "the progress bar follows from it, no mesh"),
             ("signalsPerReport", "signals", "the progress bar follows from it, no mesh"),
         ],

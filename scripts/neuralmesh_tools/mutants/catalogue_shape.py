@@ -14,6 +14,30 @@ _DECIMATION = "core/shape/quadric_decimation.cpp"
 
 SHAPE: tuple[Mutant, ...] = (
     Mutant(
+        "plates-are-sheets",
+        "a plate with points on both sides is no open sheet",
+        "core/shape/coarse_shape.cpp",
+        "!haveTwoSides(points_, sidesInCells / resolution())",
+        "true",
+        ("CoarseShape.of_a_thin_plate_is_no_sheet",),
+    ),
+    Mutant(
+        "sides-of-a-plane",
+        "sides are told from the heights above a quadric",
+        "core/shape/two_sides.cpp",
+        "terms.row(i) << 1, x, y, x * x, x * y, y * y;",
+        "terms.row(i) << 1, x, y, 0, 0, 0;",
+        ("TwoSides.of_a_plate_are_found_as_long_as_noise_is_less_than_half_their_distance",),
+    ),
+    Mutant(
+        "rounding-tells-sides",
+        "heights next to nothing tell no sides",
+        "core/shape/two_sides.cpp",
+        "constexpr double leastHeight = 1e-5;",
+        "constexpr double leastHeight = -1;",
+        ("TwoSides.of_points_on_a_plane_or_too_few_to_tell_there_are_none",),
+    ),
+    Mutant(
         "normals-lean-nowhere",
         "the first normals have a direction in common",
         _WINDING,

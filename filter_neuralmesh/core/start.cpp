@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/start.h"
+
+#include <vector>
+
+#include "core/mesh/boundary.h"
+#include "core/shape/start_from_data.h"
+#include "core/space/plain_points.h"
+#include "core/topology/starting_mesh.h"
+#include "neuralmesh/errors.h"
+
+namespace neuralmesh {
+namespace {
+
+/// Samples from which the starting solid takes its place and shape.
+constexpr std::size_t startingSamples = 1000;
+
+bool startsFromData(const GrowthParameters &parameters)
+{
+    return parameters.startMesh == StartMesh::fromData ||
+           (parameters.topology == Topology::learned &&
+            parameters.startMesh == StartMesh::tetrahedron);
+}
+
+} // namespace
+
+void requireAtLeast(Parameter parameter, int count, int startingVertices)
+{
+    if (count < startingVertices)
+        throw InvalidParameter(parameter, InvalidParameter::Problem::belowStart, count,
+                               startingVertices);
+}
+
+Start makeStart(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
+                Random &random, const Progress &progress)
+{
+    Start start;
+    if (startsFromData(parameters)) {
+        const CoarseShape found = startFromData(mesh, sampler, parameters, progress);
+        start.shape = found.isTrusted ? LearnedShape::found : LearnedShape::notFound;
+        start.gaps = found.isTrusted ? found.openings : 0;
+    }
+    const bool isFound = start.shape == LearnedShape::found;
+    start.hasShape = isFound || parameters.startMesh == StartMesh::given;
+    if (sampler.isFlat() && (!start.hasShape || isClosed(mesh)))
+        throw FlatTarget(start.shape != LearnedShape::notAsked);
+    if (!start.hasShape) {
+        std::vector<Point> drawn;
+        sampler.draw(random, startingSamples, drawn);
+        makeStartingSolid(mesh, parameters.startMesh, toVcg(drawn));
+    }
+    requireAtLeast(Parameter::targetVertexCount, parameters.targetVertexCount, mesh.vn);
+    if (!parameters.snapshots.empty() && !isFound)
+        requireAtLeast(Parameter::snapshots, parameters.snapshots.front(), mesh.vn);
+    return start;
+}
+
+} // namespace neuralmesh
