@@ -10,7 +10,8 @@ import pytest
 from batches import csv_rows, report, run_batch
 from documents import sphere_points
 
-from neuralmesh_tools.doubts import doubts
+from neuralmesh_tools.doubts import LEAST_COVERAGE, MOST_UNSUPPORTED, doubts
+from neuralmesh_tools.project import ROOT
 
 GOOD = {"coverage": 0.99, "unsupported_area": 0.01, "self_intersections": 0, "reached_target": True}
 
@@ -31,6 +32,12 @@ def test_each_doubt_has_a_sentence(figures: dict[str, object], sentence: str) ->
 
 def test_a_filter_that_reports_nothing_raises_no_doubt() -> None:
     assert doubts({"vertices": 100}) == ""
+
+
+def test_doubts_begin_where_the_filters_own_do() -> None:
+    source = (ROOT / "filter_neuralmesh/plugin/filter_results.cpp").read_text(encoding="utf-8")
+    assert f"leastCoverage = {LEAST_COVERAGE};" in source
+    assert f"mostUnsupported = {MOST_UNSUPPORTED};" in source
 
 
 @pytest.mark.usefixtures("plugin")

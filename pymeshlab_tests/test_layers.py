@@ -79,7 +79,8 @@ def test_uneven_vertices_make_no_difference_to_a_surface() -> None:
         document.set_current_mesh(0)
         reconstruct(document, targetvertnum=400, source=source)
         shares.append(np.mean(document.current_mesh().vertex_matrix()[:, 2] > 0))
-    # 0.8975. Half of the vertices are those of the start, which spreads them by curvature.
+    # 0.89 to 0.90 with three seeds: half of the vertices are those of the start, which spreads them
+    # by curvature. From a tetrahedron, 0.91 to 0.92.
     assert shares[0] > 0.87
     assert shares[1] == pytest.approx(0.5, abs=0.05)
 

@@ -167,8 +167,13 @@ inline void addTorusAside(Scene &scene)
     addSamplesOf(scene, torus);
 }
 
+/// What a network says of itself.
+struct Repairs {
+    int webs, tears;
+};
+
 /// Step 6 on the scene's network, in which every vertex has won. `mesh` is what it makes of it.
-inline void collapseInactive(NeuralMesh &mesh, const Scene &scene, bool limbsAreWhole = false)
+inline Repairs collapseInactive(NeuralMesh &mesh, const Scene &scene, bool limbsAreWhole = false)
 {
     makeMesh(mesh, scene.points, scene.faces);
     Box3 bounds;
@@ -179,6 +184,7 @@ inline void collapseInactive(NeuralMesh &mesh, const Scene &scene, bool limbsAre
     GrowingNetwork network(mesh, bounds, GrowthParameters{});
     network.setLimbsAreWhole(limbsAreWhole);
     network.collapse({}, SampleSupport(bounds, scene.samples));
+    return {network.websRemoved(), network.tearsMended()};
 }
 
 /// How far the furthest place of the mesh is from all samples: of the middles of faces and edges.

@@ -329,9 +329,15 @@ void GrowingNetwork::collapseInactive(const SampleSupport &support)
 void GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const SampleSupport &support)
 {
     judgeOpenness(support);
-    for (const VertexId v : vertices)
-        if (const VertexId into = bestCollapse(mesh_, v); into != noVertex)
+    // Nothing would straighten a fold of an open sheet again.
+    const bool isSheet = !isClosed(mesh_);
+    for (const VertexId v : vertices) {
+        VertexId into = isSheet ? bestCollapseOnSurface(mesh_, v) : noVertex;
+        if (into == noVertex)
+            into = bestCollapse(mesh_, v);
+        if (into != noVertex)
             neuralmesh::collapse(mesh_, v, into);
+    }
     fillNotches(mesh_);
     if (!isOpen_ && isClosed(mesh_)) {
         retractWebs(mesh_, support);

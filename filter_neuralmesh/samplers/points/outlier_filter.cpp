@@ -233,18 +233,20 @@ OutlierFilter::OutlierFilter(const std::vector<Point3> &points, const Box3 &boun
     isInSmallGroup_ = inSmallGroups(pilot.size(), tree);
     const Scalar reach = radius_;
     judgeThoseAlone(pilot);
+    std::size_t places = 0;
     for (std::size_t i = 0; i < pilot.size(); ++i)
-        if (!isInSmallGroup_[i] && !isAlone(pilot[i]))
+        if (isInSmallGroup_[i] || isAlone(pilot[i]))
+            ++places;
+        else
             bounds_.Add(pilot[i]);
+    if (static_cast<double>(places) > mostOutliers * static_cast<double>(pilot.size()))
+        return;
     bounds_.Offset(reach);
     pilotGrid_ = VertexGrid(bounds_);
     insert(pilot);
     const auto dirt = std::count_if(drawn.begin(), drawn.end(),
                                     [&](const Point3 &point) { return isDirt(point); });
-    const auto places = std::count_if(pilot.begin(), pilot.end(),
-                                      [&](const Point3 &point) { return isDirt(point); });
-    if (static_cast<double>(places) <= mostOutliers * static_cast<double>(pilot.size()))
-        share_ = static_cast<double>(dirt) / static_cast<double>(drawn.size());
+    share_ = static_cast<double>(dirt) / static_cast<double>(drawn.size());
 }
 
 void OutlierFilter::insert(const std::vector<Point3> &pilot)

@@ -78,6 +78,23 @@ TEST(Closing, doubles_a_sheet_to_any_count)
         }
 }
 
+/// What the start has beyond the border wins nothing and goes, which folds it where nothing keeps
+/// it from that.
+TEST(Closing, a_flat_sheet_has_no_folds)
+{
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+        Random random(seed);
+        WorldPoints points;
+        for (int i = 0; i < 20000; ++i) {
+            const vcg::Point3d p = test::inUnitCube(random);
+            points.emplace_back(p.X(), p.Y(), 0);
+        }
+        const PointCloudSampler sampler(points);
+        NeuralMesh mesh;
+        EXPECT_EQ(grow(mesh, sampler, closed(5000, seed)).selfIntersections, 0) << seed;
+    }
+}
+
 TEST(Closing, snapshots_of_a_sheet_are_closed_and_of_their_count)
 {
     const PointCloudSampler sampler(sheet(5000));

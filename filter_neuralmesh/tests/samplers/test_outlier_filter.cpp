@@ -125,6 +125,20 @@ TEST(OutlierFilter, finds_groups_too_small_for_a_part_and_keeps_small_parts)
     EXPECT_LT(filter.bounds().max.X(), 1.2);
 }
 
+TEST(OutlierFilter, leaves_a_cloud_alone_that_is_nothing_but_small_groups)
+{
+    Random random(8);
+    std::vector<Point3> points;
+    for (int group = 0; group < 500; ++group) {
+        const Point3 place = test::inUnitCube(random) * 100;
+        for (int i = 0; i < 12; ++i)
+            points.push_back(place + test::inUnitCube(random) * 0.1);
+    }
+    const OutlierFilter filter(points, boundsOf(points));
+    EXPECT_FALSE(filter.isActive());
+    EXPECT_FALSE(filter.isOutlier(points.front()));
+}
+
 TEST(OutlierFilter, takes_a_sparse_half_for_a_surface)
 {
     // The lower half holds a twenty-fifth of the points: five times the spacing.

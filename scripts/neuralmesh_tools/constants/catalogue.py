@@ -130,12 +130,12 @@ _OF_NETWORK = {
 }
 
 _OF_GROWTH = {
+    **swept("core/start.cpp", BODIES, [("startingSamples", "500", "2000", "samples")]),
     **swept(
         _GROWTH,
         BODIES,
         [
             ("batchPerVertex", "0.25", "1", "signals a vertex"),
-            ("startingSamples", "500", "2000", "samples"),
             ("consolidationRounds", "5", "20", "rounds"),
             ("censusPerVertex", "5", "20", "samples a vertex"),
         ],

@@ -7,6 +7,14 @@ from neuralmesh_tools.mutants.mutant import Mutant
 
 CLOSING: tuple[Mutant, ...] = (
     Mutant(
+        "borders-fold",
+        "what goes at the border of a sheet leaves the surface as it is, where it can",
+        "core/network/growing_network.cpp",
+        "isSheet ? bestCollapseOnSurface(mesh_, v) : noVertex",
+        "noVertex",
+        ("Closing.a_flat_sheet_has_no_folds",),
+    ),
+    Mutant(
         "sheets-get-discs",
         "an open sheet is closed by a second one",
         "core/topology/sheet_doubling.cpp",
