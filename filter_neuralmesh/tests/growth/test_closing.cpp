@@ -95,6 +95,19 @@ TEST(Closing, a_flat_sheet_has_no_folds)
     }
 }
 
+TEST(Closing, a_sheet_among_outliers_has_no_folds)
+{
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+        WorldPoints points = sheet(2400);
+        Random random(seed);
+        for (int i = 0; i < 120; ++i)
+            points.push_back(test::inUnitCube(random));
+        const PointCloudSampler sampler(points);
+        NeuralMesh mesh;
+        EXPECT_EQ(grow(mesh, sampler, closed(1200, seed)).selfIntersections, 0) << seed;
+    }
+}
+
 TEST(Closing, snapshots_of_a_sheet_are_closed_and_of_their_count)
 {
     const PointCloudSampler sampler(sheet(5000));

@@ -52,7 +52,7 @@ CLOSING: tuple[Mutant, ...] = (
         "core/closing.cpp",
         "    unfold(network_, sheets);",
         "",
-        ("Closing.doubles_a_sheet_to_any_count",),
+        ("Closing.a_sheet_among_outliers_has_no_folds",),
     ),
     Mutant(
         "count-is-not-settled",

@@ -27,7 +27,7 @@ SHAPE: tuple[Mutant, ...] = (
         "core/shape/two_sides.cpp",
         "terms.row(i) << 1, x, y, x * x, x * y, y * y;",
         "terms.row(i) << 1, x, y, 0, 0, 0;",
-        ("TwoSides.of_a_plate_are_found_as_long_as_noise_is_less_than_half_their_distance",),
+        ("CoarseShape.knows_a_sheet_whose_sides_are_nearer_than_a_cell",),
     ),
     Mutant(
         "rounding-tells-sides",
@@ -35,7 +35,7 @@ SHAPE: tuple[Mutant, ...] = (
         "core/shape/two_sides.cpp",
         "constexpr double leastHeight = 1e-5;",
         "constexpr double leastHeight = -1;",
-        ("TwoSides.of_points_on_a_plane_or_too_few_to_tell_there_are_none",),
+        ("Closing.a_flat_sheet_has_no_folds",),
     ),
     Mutant(
         "normals-lean-nowhere",
@@ -131,8 +131,8 @@ SHAPE: tuple[Mutant, ...] = (
         "sheets-are-solids",
         "points of an open sheet are known by what the flood would double",
         _SHAPE,
-        "        isSheet_ = isSheet_ || flood.doubledShare() > shareOfSheet;",
-        "",
+        "flood.doubledShare() > shareOfSheet",
+        "flood.doubledShare() > 1 + shareOfSheet",
         ("CoarseShape.knows_an_open_sheet",),
     ),
     Mutant(
