@@ -2,11 +2,13 @@
 #include "core/growth.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "core/closing.h"
 #include "core/fit/surface_fit.h"
 #include "core/mesh/boundary.h"
+#include "core/mesh/edge_lengths.h"
 #include "core/mesh/enumeration.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_topology.h"
@@ -32,6 +34,15 @@ constexpr double batchPerVertex = 0.5;
 
 /// Samples for each vertex by which the error of the result is measured.
 constexpr std::size_t samplesPerErrorMeasure = 6;
+
+/// Share of λ with which a closed start from the data settles: its vertices are near the samples.
+/// The border of an open one is not.
+constexpr double shareOfSettling = 0.25;
+
+/// A vertex on the border of the data learns from samples up to so many mean edges away. What is
+/// further, the start would hold if it were of the surface; vertices that follow a few strays
+/// stretch a flap to them.
+constexpr double reachOfBorder = 2;
 
 /// Shares of the time until a start from the data is made, and until growth ends; the fit takes the
 /// rest.
@@ -76,15 +87,16 @@ public:
     }
 
     /// Lets a starting mesh that has a shape take its place: λ signals for each vertex, as many as
-    /// those of a grown network have had.
+    /// those of a grown network have had; fewer for a closed one that was made of the samples.
     void settle()
     {
         convergence_.noteStart(network_.mesh(), parameters_);
         growCoarseSnapshots();
         takeSnapshotIfDue();
-        const auto enough = static_cast<std::uint64_t>(parameters_.signalsPerSplit) *
-                            static_cast<std::uint64_t>(network_.vertexCount());
-        while (network_.signals() < enough) {
+        const bool isNearSamples = learnsBoundaries() && isClosed(network_.mesh());
+        const double perVertex =
+            parameters_.signalsPerSplit * (isNearSamples ? shareOfSettling : 1);
+        while (static_cast<double>(network_.signals()) < perVertex * network_.vertexCount()) {
             learnBatch();
             if (network_.collapseIsDue())
                 collapseInactive();
@@ -203,13 +215,30 @@ private:
     {
         sampleBatch();
         VertexId winner = noVertex;
+        const Scalar reach = reachOfBorders();
         for (std::size_t i = 0; i < batch_.size(); ++i) {
             winner = network_.findWinner(batch_[i], winner);
-            network_.adapt(winner, batch_[i]);
-            network_.countSignal(winner, batch_[i]);
+            if (network_.isBeyondBorder(winner, batch_[i], reach)) {
+                network_.passSignal();
+            } else {
+                network_.adapt(winner, batch_[i]);
+                network_.countSignal(winner, batch_[i]);
+            }
             if (i % signalsPerReport == 0)
                 reportProgress();
         }
+    }
+
+    /// How far beyond a border samples are learned from.
+    Scalar reachOfBorders() const
+    {
+        if (!learnsBoundaries() || isClosed(network_.mesh()))
+            return std::numeric_limits<Scalar>::max();
+        double sum = 0;
+        forEachVertex(network_.mesh(), [&](VertexId v) {
+            sum += static_cast<double>(meanEdge(network_.mesh(), v));
+        });
+        return static_cast<Scalar>(reachOfBorder * sum / network_.vertexCount());
     }
 
     void sampleBatch()

@@ -37,4 +37,19 @@ std::vector<FaceSide> sidesByEdge(const std::vector<Corners> &faces)
     return sides;
 }
 
+std::vector<std::array<FaceId, 3>> facesAcross(const std::vector<Corners> &faces)
+{
+    const std::vector<FaceSide> sides = sidesByEdge(faces);
+    std::vector<std::array<FaceId, 3>> across(faces.size(), {noFace, noFace, noFace});
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+        const FaceSide &a = sides[i];
+        const FaceSide &b = sides[i + 1];
+        if (a.low == b.low && a.high == b.high) {
+            across[a.face][a.corner] = b.face;
+            across[b.face][b.corner] = a.face;
+        }
+    }
+    return across;
+}
+
 } // namespace neuralmesh

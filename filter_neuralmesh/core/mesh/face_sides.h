@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "core/mesh/face_table.h"
@@ -19,5 +20,8 @@ struct FaceSide {
 
 /// By low, then high, then face. In linear time where no vertex has many neighbours.
 std::vector<FaceSide> sidesByEdge(const std::vector<Corners> &faces);
+
+/// By face: the faces across its three sides, or noFace. No edge may have more than two faces.
+std::vector<std::array<FaceId, 3>> facesAcross(const std::vector<Corners> &faces);
 
 } // namespace neuralmesh

@@ -230,6 +230,16 @@ void GrowingNetwork::adapt(VertexId winner, const Point3 &sample)
         moveVertex(ring[i], smoothed[static_cast<std::size_t>(i)].position);
 }
 
+bool GrowingNetwork::isBeyondBorder(VertexId winner, const Point3 &sample, Scalar reach) const
+{
+    return mesh_.isOnBoundary(winner) && (mesh_.position(winner) - sample).Norm() > reach;
+}
+
+void GrowingNetwork::passSignal()
+{
+    ++signals_;
+}
+
 void GrowingNetwork::countSignal(VertexId winner, const Point3 &sample)
 {
     ++signals_;
@@ -329,15 +339,9 @@ void GrowingNetwork::collapseInactive(const SampleSupport &support)
 void GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const SampleSupport &support)
 {
     judgeOpenness(support);
-    // Nothing would straighten a fold of an open sheet again.
-    const bool isSheet = !isClosed(mesh_);
-    for (const VertexId v : vertices) {
-        VertexId into = isSheet ? bestCollapseOnSurface(mesh_, v) : noVertex;
-        if (into == noVertex)
-            into = bestCollapse(mesh_, v);
-        if (into != noVertex)
+    for (const VertexId v : vertices)
+        if (const VertexId into = bestCollapse(mesh_, v); into != noVertex)
             neuralmesh::collapse(mesh_, v, into);
-    }
     fillNotches(mesh_);
     if (!isOpen_ && isClosed(mesh_)) {
         retractWebs(mesh_, support);

@@ -106,6 +106,12 @@ public:
     /// and 7).
     void countSignal(VertexId winner, const Point3 &sample);
 
+    /// Whether a sample is further than `reach` from its winner, and that is on a boundary.
+    bool isBeyondBorder(VertexId winner, const Point3 &sample, Scalar reach) const;
+
+    /// A signal that nothing is learned from.
+    void passSignal();
+
     /// Step 5: λ, the signals for each split, by the rules.
     int signalsPerSplit() const;
 

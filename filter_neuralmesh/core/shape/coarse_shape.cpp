@@ -8,6 +8,7 @@
 #include "core/mesh/manifold_mesh.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/triangle.h"
+#include "core/shape/border_trimming.h"
 #include "core/shape/membrane_opening.h"
 #include "core/shape/outside_flood.h"
 #include "core/shape/quadric_decimation.h"
@@ -64,10 +65,10 @@ constexpr double sidesInCells = 2;
 /// inside from outside there.
 constexpr float leastLevel = 0.25F;
 
-/// Of the levels at which the shape is read, so many must agree for a shape to be trusted at once;
-/// and for one that the coarser grid had already.
-constexpr int clearVotes = 4;
+/// Of the levels at which the shape is read, so many must agree for one that the coarser grid had
+/// already; and for that of an open sheet to be trusted on the first grid.
 constexpr int fewestVotes = 3;
+constexpr int clearVotes = 4;
 /// Shares of the area and of the points up to which a surface without votes is believed.
 constexpr double faultless = 0.01;
 
@@ -137,8 +138,7 @@ public:
             field_.refine();
             learn(finerRounds, finerSmoothings);
             reading = read();
-            isStable = reading.votes >= clearVotes || (reading.votes >= fewestVotes &&
-                                                       reading.surface.hasShapeOf(coarser.surface));
+            isStable = reading.votes >= fewestVotes && reading.surface.hasShapeOf(coarser.surface);
         }
         const LevelSurface &s = reading.surface;
         soup_ = s.soup;
@@ -151,6 +151,13 @@ public:
 
     /// Of the surface's faces.
     const SurfaceSupport &support() const { return support_; }
+
+    /// For what reaches beyond the points of a surface of that area.
+    TrimmingRadii trimmingRadii(double area) const
+    {
+        const double drawn = std::min(pointCount_, static_cast<double>(points_.size()));
+        return {supportRadii().near, nearInSpacings * std::sqrt(area / drawn)};
+    }
 
 private:
     int resolution() const { return field_.field().resolution(); }
@@ -257,7 +264,10 @@ CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
     const MembraneOpening opening =
         openMembranes(search.soup(), search.support().ofFace, frame.areaOfHole(hole));
     shape.openings = opening.openings;
-    makeManifold(mesh, search.soup().points, opening.faces, Boundaries::allowed);
+    TriangleSoup surface{search.soup().points, opening.faces};
+    if (shape.openings > 0)
+        surface.faces = trimBorders(surface, inGrid, search.trimmingRadii(areaOf(surface)));
+    makeManifold(mesh, surface.points, surface.faces, Boundaries::allowed);
     removeCrumbs(mesh, ShapeReading::leastPoints * areaOf(search.soup()) /
                            static_cast<double>(points.size()));
     decimate(mesh, vertices);

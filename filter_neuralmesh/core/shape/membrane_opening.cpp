@@ -11,26 +11,10 @@
 namespace neuralmesh {
 namespace {
 
-/// By face: the faces across its three sides.
-std::vector<std::array<FaceId, 3>> facesAcross(const TriangleSoup &soup)
-{
-    const std::vector<FaceSide> sides = sidesByEdge(soup.faces);
-    std::vector<std::array<FaceId, 3>> across(soup.faces.size(), {noFace, noFace, noFace});
-    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-        const FaceSide &a = sides[i];
-        const FaceSide &b = sides[i + 1];
-        if (a.low == b.low && a.high == b.high) {
-            across[a.face][a.corner] = b.face;
-            across[b.face][b.corner] = a.face;
-        }
-    }
-    return across;
-}
-
 class Opening {
 public:
     Opening(const TriangleSoup &soup, const std::vector<Support> &support)
-        : soup_(soup), across_(facesAcross(soup)), support_(support),
+        : soup_(soup), across_(facesAcross(soup.faces)), support_(support),
           stays_(soup.faces.size(), true)
     {
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Open points with a closed result: watertight, of the exact count, without crossings.
+// Open points: borders that are those of the points; and with a closed result, watertight, of the
+// exact count, without crossings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -151,6 +152,34 @@ TEST(Closing, adds_no_more_than_there_is_room_for)
     EXPECT_EQ(closing.addVertex(6), 2);
     EXPECT_EQ(closing.addVertex(1), 1);
     EXPECT_EQ(closing.vertexCount(), 37);
+}
+
+/// A hair of points from the border of the sheet outwards, too long and thin for a surface.
+TEST(Borders, do_not_follow_strays)
+{
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+        WorldPoints points = sheet(5000);
+        Random random(seed);
+        for (int i = 0; i < 30; ++i) {
+            const vcg::Point3d p = test::inUnitCube(random);
+            points.emplace_back(1 + 0.4 * p.X(), 0.5 + 0.02 * p.Y(), 0.1 + 0.01 * p.Z());
+        }
+        const PointCloudSampler sampler(points);
+        GrowthParameters parameters = closed(1000, seed);
+        parameters.boundaries = BoundaryRule::open;
+        NeuralMesh mesh;
+        EXPECT_LT(grow(mesh, sampler, parameters).unsupportedArea, 0.06) << seed;
+    }
+}
+
+/// What the start has beyond the border would have to go while the network grows.
+TEST(Borders, of_the_start_are_those_of_the_points)
+{
+    const PointCloudSampler sampler(sheet(20000));
+    GrowthParameters parameters = closed(2000, 1);
+    parameters.boundaries = BoundaryRule::open;
+    NeuralMesh mesh;
+    EXPECT_LT(grow(mesh, sampler, parameters).collapseCount, 240);
 }
 
 } // namespace

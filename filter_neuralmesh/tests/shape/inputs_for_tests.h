@@ -109,6 +109,55 @@ inline Points torusPoints(std::size_t count, double major, double minor, std::ui
     return points;
 }
 
+/// The points up to a distance from a segment.
+struct Capsule {
+    Point3 start, end;
+    double radius;
+
+    Point3 nearestOnSegment(const Point3 &p) const
+    {
+        const Point3 along = end - start;
+        const double t = (p - start).dot(along) / along.dot(along);
+        return start + along * std::clamp(t, 0.0, 1.0);
+    }
+    /// Negative inside.
+    double distance(const Point3 &p) const { return (p - nearestOnSegment(p)).Norm() - radius; }
+};
+
+/// On the border of a union of capsules: uniform in a layer around it, then moved onto it.
+inline Points capsulePoints(std::size_t count, const std::vector<Capsule> &capsules,
+                            std::uint64_t seed)
+{
+    constexpr double layer = 0.02;
+    Box3 box;
+    for (const Capsule &capsule : capsules)
+        for (const Point3 &end : {capsule.start, capsule.end}) {
+            const double reach = capsule.radius + layer;
+            box.Add(end + Point3(reach, reach, reach));
+            box.Add(end - Point3(reach, reach, reach));
+        }
+    Random random(seed);
+    Points points;
+    while (points.size() < count) {
+        const Point3 p(box.min[0] + random.unit() * box.DimX(),
+                       box.min[1] + random.unit() * box.DimY(),
+                       box.min[2] + random.unit() * box.DimZ());
+        const auto nearest = std::min_element(
+            capsules.begin(), capsules.end(),
+            [&](const Capsule &a, const Capsule &b) { return a.distance(p) < b.distance(p); });
+        if (std::abs(nearest->distance(p)) > layer)
+            continue;
+        const Point3 axis = nearest->nearestOnSegment(p);
+        const Point3 moved = axis + (p - axis).Normalize() * nearest->radius;
+        const bool isCovered = std::any_of(capsules.begin(), capsules.end(), [&](const Capsule &c) {
+            return &c != &*nearest && c.distance(moved) < 0;
+        });
+        if (!isCovered)
+            points.push_back(moved);
+    }
+    return points;
+}
+
 /// Uniform on the border of a union of axis-aligned cubes of a lattice: the solid cubes are those
 /// for which isSolid(x, y, z), each index in [0, size).
 template <class IsSolid>

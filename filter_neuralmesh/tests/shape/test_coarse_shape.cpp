@@ -161,6 +161,16 @@ TEST(CoarseShape, of_a_thin_wall_of_few_points_has_no_holes)
     expectShape(test::latticePoints(4000, 12, isSolid, 1), 1, 0);
 }
 
+TEST(CoarseShape, of_an_arm_beside_a_body_has_no_handle)
+{
+    // The hand is as near to the body as a cell of the second grid, where it touches; the arm is
+    // part of the body on the first.
+    const std::vector<test::Capsule> body = {{{0, 0, 0}, {0, 0, 1}, 0.15},
+                                             {{0, 0, 0.9}, {0.29, 0, 0.85}, 0.05},
+                                             {{0.29, 0, 0.85}, {0.222, 0, 0.3}, 0.05}};
+    expectShape(test::capsulePoints(20000, body, 1), 1, 0);
+}
+
 TEST(CoarseShape, of_an_open_sheet_among_strays_is_one_piece)
 {
     for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {

@@ -136,6 +136,8 @@ _OF_GROWTH = {
         BODIES,
         [
             ("batchPerVertex", "0.25", "1", "signals a vertex"),
+            ("shareOfSettling", "0.125", "0.5", "share of λ"),
+            ("reachOfBorder", "1", "4", "mean edges"),
             ("consolidationRounds", "5", "20", "rounds"),
             ("censusPerVertex", "5", "20", "samples a vertex"),
         ],

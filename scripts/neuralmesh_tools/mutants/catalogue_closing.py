@@ -7,12 +7,28 @@ from neuralmesh_tools.mutants.mutant import Mutant
 
 CLOSING: tuple[Mutant, ...] = (
     Mutant(
-        "borders-fold",
-        "what goes at the border of a sheet leaves the surface as it is, where it can",
-        "core/network/growing_network.cpp",
-        "isSheet ? bestCollapseOnSurface(mesh_, v) : noVertex",
-        "noVertex",
-        ("Closing.a_flat_sheet_has_no_folds",),
+        "borders-reach-beyond",
+        "the start is trimmed to the points",
+        "core/shape/coarse_shape.cpp",
+        "    if (shape.openings > 0)\n",
+        "    if (shape.openings < 0)\n",
+        ("Borders.of_the_start_are_those_of_the_points",),
+    ),
+    Mutant(
+        "borders-follow-strays",
+        "samples far beyond a border are not learned from",
+        "core/growth.cpp",
+        "constexpr double reachOfBorder = 2;",
+        "constexpr double reachOfBorder = 2000;",
+        ("Borders.do_not_follow_strays",),
+    ),
+    Mutant(
+        "trimming-tears",
+        "trimming a border tears nothing off",
+        "core/shape/border_trimming.cpp",
+        "return sides == 2 || (sides == 1 && isCornerInside);",
+        "return sides > 0;",
+        ("BorderTrimming.tears_nothing_off",),
     ),
     Mutant(
         "sheets-get-discs",
@@ -52,7 +68,7 @@ CLOSING: tuple[Mutant, ...] = (
         "core/closing.cpp",
         "    unfold(network_, sheets);",
         "",
-        ("Closing.a_sheet_among_outliers_has_no_folds",),
+        ("Closing.doubles_a_sheet_to_any_count",),
     ),
     Mutant(
         "count-is-not-settled",
@@ -60,7 +76,7 @@ CLOSING: tuple[Mutant, ...] = (
         "core/closing.cpp",
         "    settleCount();\n    const std::vector<VertexId> sheets",
         "    const std::vector<VertexId> sheets",
-        ("Closing.doubles_a_sheet_to_any_count",),
+        ("Closing.snapshots_of_a_sheet_are_closed_and_of_their_count",),
     ),
     Mutant(
         "last-vertex-anywhere",

@@ -144,6 +144,14 @@ SHAPE: tuple[Mutant, ...] = (
         ("ShapeReading.takes_the_shape_of_most_levels_not_that_at_the_points",),
     ),
     Mutant(
+        "votes-are-enough",
+        "a shape is that of two grids",
+        _SHAPE,
+        "reading.votes >= fewestVotes && reading.surface.hasShapeOf(coarser.surface)",
+        "reading.votes >= clearVotes",
+        ("CoarseShape.of_an_arm_beside_a_body_has_no_handle",),
+    ),
+    Mutant(
         "not-the-simplest",
         "where hardly any levels agree, the simplest shape is taken",
         _READING,
