@@ -136,8 +136,6 @@ _OF_GROWTH = {
         BODIES,
         [
             ("batchPerVertex", "0.25", "1", "signals a vertex"),
-            ("shareOfSettling", "0.125", "0.5", "share of λ"),
-            ("reachOfBorder", "1", "4", "mean edges"),
             ("consolidationRounds", "5", "20", "rounds"),
             ("censusPerVertex", "5", "20", "samples a vertex"),
         ],
@@ -157,6 +155,19 @@ _OF_GROWTH = {
                 "samplesPerErrorMeasure",
                 "samples a vertex",
                 "figures that are told follow from it, no mesh",
+            ),
+            (
+                "shareOfSettling",
+                "share of λ",
+                "these shapes grow from the tetrahedron. On eight models from the data, 100,000 "
+                "clean points, two seeds, RMS as ratios to a share of 1: 0.1 gives 1.11 to the "
+                "mesh, 0.25 gives 1.03, at 0.83 and 0.85 of the time",
+            ),
+            (
+                "reachOfBorder",
+                "mean edges",
+                "these shapes have no border. Of the scan face000, 20 to 28 % of the area is "
+                "unsupported without a limit, 5 to 10 % with 1.5 and 5 to 12 % with 3",
             ),
             ("shareOfGrowth", "share of the time", "the progress bar follows from it, no mesh"),
             ("signalsPerReport", "signals", "the progress bar follows from it, no mesh"),
