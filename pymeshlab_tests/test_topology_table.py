@@ -187,6 +187,12 @@ def test_each_thing_that_is_wrong_is_named(values: dict[str, Any], fault: str):
     assert judge.faults(run_of(**values), expected) == [fault]
 
 
+def test_holes_of_the_data_that_are_to_be_closed_are_no_surplus():
+    closed = run_of(unsupported_area=0.11)
+    assert judge.faults(closed, Expected(no_surplus=True)) == ["unsupported 11 %"]
+    assert judge.faults(closed, Expected(no_surplus=True, gaps=0.07)) == []
+
+
 def test_crossing_faces_are_borne_under_noise_unless_none_may_be():
     crossing = run_of("noise", self_intersecting=2)
     assert judge.faults(crossing, Expected()) == []

@@ -43,10 +43,10 @@ of vertices and, on clean points, no self-intersection. otherwise: what the othe
 many. exact V: runs with the exact count. self-int.: faces that intersect another, most of any run.
 covered: share of the clean points within half a mean edge of the mesh, least of any run; whole
 means at least {100 * LEAST_COVERED:g} %. coverage, unsupported: the filter's own figures, worst of
-any run; no surplus means at most {100 * SIZE_TOLERANCE:g} % of the area unsupported. Volume and
-diagonal may differ by {100 * SIZE_TOLERANCE:g} %. RMS: median, in per cent of the surface's
-diagonal, from the surface to the mesh / back, uniform by area. s: median CPU seconds, at most
-{MOST_TIMES_BUNNY:g} times those of the clean bunny."""
+any run; no surplus means at most {100 * SIZE_TOLERANCE:g} % of the area unsupported, besides
+holes of the data that are closed. Volume and diagonal may differ by {100 * SIZE_TOLERANCE:g} %.
+RMS: median, in per cent of the surface's diagonal, from the surface to the mesh / back, uniform by
+area. s: median CPU seconds, at most {MOST_TIMES_BUNNY:g} times those of the clean bunny."""
 
 
 def head() -> str:
