@@ -65,6 +65,12 @@ def test_a_learned_topology_is_told(log: Log) -> None:
     assert "Warning" not in line
 
 
+def test_a_topology_that_the_points_leave_open_is_told(log: Log) -> None:
+    points = np.vstack([sphere_points(3000), 0.85 * sphere_points(3000)])
+    line = log.of(points)
+    assert "It was learned from the data, which leave it open: handles or parts may be" in line
+
+
 def test_a_topology_that_is_that_of_the_start_is_told(log: Log) -> None:
     points = np.vstack([sphere_points(4000), sphere_points(4000) + np.array([3, 0, 0])])
     line = log.of(points, topology=0)

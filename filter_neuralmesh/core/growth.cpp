@@ -409,6 +409,7 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
     if (start.hasShape)
         growth.settle();
     GrowthReport report = growth.run();
+    report.changes.isShapeClear = start.isShapeClear;
     report.changes.gaps = start.gaps;
     finishMesh(mesh);
     return report;

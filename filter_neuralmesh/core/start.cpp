@@ -38,6 +38,7 @@ Start makeStart(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters
     if (startsFromData(parameters)) {
         const CoarseShape found = startFromData(mesh, sampler, parameters, progress);
         start.shape = found.isTrusted ? LearnedShape::found : LearnedShape::notFound;
+        start.isShapeClear = !found.isTrusted || found.isClear;
         start.gaps = found.isTrusted ? found.openings : 0;
     }
     const bool isFound = start.shape == LearnedShape::found;

@@ -13,6 +13,7 @@ namespace neuralmesh {
 
 struct Start {
     LearnedShape shape = LearnedShape::notAsked;
+    bool isShapeClear = true;
     /// Gaps in the data at which the mesh is open.
     int gaps = 0;
     /// Whether the mesh has a shape, of the data or given, that it is to keep: no solid.

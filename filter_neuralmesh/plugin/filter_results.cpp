@@ -58,7 +58,12 @@ std::string topology(const neuralmesh::Report &report)
                        counted(report.boundaryLoops, "boundary loop", "boundary loops") + ".";
     switch (report.changes.shape) {
     case neuralmesh::LearnedShape::notAsked: text += " It is that of the starting mesh."; break;
-    case neuralmesh::LearnedShape::found: text += " It was learned from the data."; break;
+    case neuralmesh::LearnedShape::found:
+        text += report.changes.isShapeClear
+                    ? " It was learned from the data."
+                    : " It was learned from the data, which leave it open: handles or parts may be "
+                      "missing, or too many. More points may help, or less noise.";
+        break;
     case neuralmesh::LearnedShape::notFound:
         text += " Warning: it is that of the starting mesh, since the points tell no shape that "
                 "can be trusted. More points may help, or less noise, or a starting layer.";

@@ -143,8 +143,16 @@ public:
         const LevelSurface &s = reading.surface;
         soup_ = s.soup;
         const bool isFaultless = support_.farShare < faultless && s.missedShare < faultless;
-        return {resolution(), s.components,           s.genus, support_.farShare, 0, s.missedShare,
-                isSheet_,     isStable || isFaultless};
+        CoarseShape shape;
+        shape.cells = resolution();
+        shape.components = s.components;
+        shape.genus = s.genus;
+        shape.unsupportedShare = support_.farShare;
+        shape.missedShare = s.missedShare;
+        shape.isSheet = isSheet_;
+        shape.isClear = isStable;
+        shape.isTrusted = isStable || isFaultless;
+        return shape;
     }
 
     const TriangleSoup &soup() const { return soup_; }

@@ -23,7 +23,9 @@ struct CoarseShape {
     double missedShare = 0;
     /// Whether the points are of an open sheet, which a membrane closes.
     bool isSheet = false;
-    /// Whether the shape persists over levels or grids, or nothing speaks against it.
+    /// Whether the shape persists over levels and grids.
+    bool isClear = false;
+    /// Whether it is clear, or nothing speaks against it.
     bool isTrusted = false;
 };
 

@@ -281,6 +281,18 @@ TEST(CoarseShape, does_not_trust_sheets_that_cross)
     EXPECT_FALSE(shapeOf(points, mesh).isTrusted);
 }
 
+TEST(CoarseShape, says_where_the_points_leave_it_open)
+{
+    // Two spheres, further apart than their points, and nearer to each other than these.
+    for (const double inner : {0.75, 0.85}) {
+        NeuralMesh mesh;
+        const CoarseShape shell =
+            shapeOf(test::together(sphere(), test::moved(sphere(), inner, {0, 0, 0})), mesh);
+        EXPECT_TRUE(shell.isTrusted);
+        EXPECT_EQ(shell.isClear, inner < 0.8) << inner;
+    }
+}
+
 TEST(CoarseShape, of_a_single_place_is_none)
 {
     NeuralMesh mesh;

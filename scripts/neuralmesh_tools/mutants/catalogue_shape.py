@@ -152,6 +152,14 @@ SHAPE: tuple[Mutant, ...] = (
         ("CoarseShape.of_an_arm_beside_a_body_has_no_handle",),
     ),
     Mutant(
+        "all-is-clear",
+        "a shape on which levels and grids disagree is told",
+        _SHAPE,
+        "        shape.isClear = isStable;",
+        "        shape.isClear = true;",
+        ("CoarseShape.says_where_the_points_leave_it_open",),
+    ),
+    Mutant(
         "not-the-simplest",
         "where hardly any levels agree, the simplest shape is taken",
         _READING,
