@@ -15,6 +15,7 @@
 #include "core/mesh/vertex_data.h"
 #include "core/network/growing_network.h"
 #include "core/network/learning_rules.h"
+#include "core/nth_root.h"
 #include "core/random_streams.h"
 #include "core/result/convergence.h"
 #include "core/result/error_measure.h"
@@ -52,8 +53,11 @@ constexpr double shareOfGrowth = 0.85;
 /// Signals between two calls of the progress callback.
 constexpr std::size_t signalsPerReport = 10000;
 
-/// Consolidation ends after so many rounds even where each still removes a vertex.
+/// Consolidation ends after so many rounds even where each still removes a vertex...
 constexpr int consolidationRounds = 10;
+/// ...or when so many vertices are idle as would be by chance, and half as many again: growth would
+/// put others in their place.
+constexpr double timesChance = 1.5;
 /// Samples of a census for each vertex: one with the average share misses all with e^-10.
 constexpr std::size_t censusPerVertex = 10;
 
@@ -76,8 +80,9 @@ public:
     Growth(NeuralMesh &mesh, LearnedShape shape, const Sampler &sampler,
            const GrowthParameters &parameters, Random &random, const Progress &progress,
            const NetworkTaker &takeSnapshot)
-        : parameters_(parameters), shape_(shape), sampler_(sampler), progress_(progress),
-          takeSnapshot_(takeSnapshot), random_(random),
+        : parameters_(parameters), shape_(shape),
+          hasBorders_(shape == LearnedShape::found && !isClosed(mesh)), sampler_(sampler),
+          progress_(progress), takeSnapshot_(takeSnapshot), random_(random),
           measuring_(randomStream(parameters.seed, Purpose::measuring)),
           convergence_(sampler, measuring_), network_(mesh, toVcg(sampler.bounds()), parameters),
           closing_(network_, parameters.targetVertexCount), order_(sampler.bounds())
@@ -93,7 +98,7 @@ public:
         convergence_.noteStart(network_.mesh(), parameters_);
         growCoarseSnapshots();
         takeSnapshotIfDue();
-        const bool isNearSamples = learnsBoundaries() && isClosed(network_.mesh());
+        const bool isNearSamples = learnsBoundaries() && !hasBorders_;
         const double perVertex =
             parameters_.signalsPerSplit * (isNearSamples ? shareOfSettling : 1);
         while (static_cast<double>(network_.signals()) < perVertex * network_.vertexCount()) {
@@ -174,11 +179,23 @@ private:
     {
         for (int round = 0; round < consolidationRounds && !isCrowded_; ++round) {
             const std::vector<VertexId> idle = idleVertices();
+            if (!idle.empty() && static_cast<double>(idle.size()) <= timesChance * idleByChance())
+                return;
             network_.collapse(idle, supportOfBatch());
             if (isComplete())
                 return;
             growToTarget();
         }
+    }
+
+    /// How many cells of as many as there are vertices hold none of the points, where these fall
+    /// into any of them alike.
+    double idleByChance() const
+    {
+        const auto vertices = static_cast<std::uint64_t>(network_.vertexCount());
+        const std::uint64_t points = sampler_.pointCount();
+        const auto cells = static_cast<double>(vertices);
+        return points > 1000 * vertices ? 0 : cells * power(1 - 1 / cells, points);
     }
 
     /// Returns how many faces intersect another.
@@ -214,8 +231,8 @@ private:
     void learnBatch()
     {
         sampleBatch();
-        VertexId winner = noVertex;
         const Scalar reach = reachOfBorders();
+        VertexId winner = noVertex;
         for (std::size_t i = 0; i < batch_.size(); ++i) {
             winner = network_.findWinner(batch_[i], winner);
             if (network_.isBeyondBorder(winner, batch_[i], reach)) {
@@ -232,7 +249,7 @@ private:
     /// How far beyond a border samples are learned from.
     Scalar reachOfBorders() const
     {
-        if (!learnsBoundaries() || isClosed(network_.mesh()))
+        if (!hasBorders_)
             return std::numeric_limits<Scalar>::max();
         double sum = 0;
         forEachVertex(network_.mesh(), [&](VertexId v) {
@@ -363,6 +380,7 @@ private:
 
     const GrowthParameters &parameters_;
     LearnedShape shape_;
+    bool hasBorders_; ///< of the data
     const Sampler &sampler_;
     const Progress &progress_;
     const NetworkTaker &takeSnapshot_;

@@ -159,6 +159,14 @@ TEST(Growth, makes_as_many_vertices_as_there_are_points)
     EXPECT_TRUE(report.reachedTarget);
 }
 
+TEST(Growth, does_not_replace_vertices_that_are_idle_by_chance)
+{
+    // Of two points a vertex, an eighth of the vertices wins none, whichever they are.
+    const PointCloudSampler sampler(test::spherePoints(3000, 1));
+    NeuralMesh mesh;
+    EXPECT_LT(grow(mesh, sampler, withTarget(1500)).collapseCount, 500);
+}
+
 TEST(Growth, keeps_idle_vertices_only_where_it_comes_to_a_stop)
 {
     // Removing every vertex that did not win within 2n samples, growth by one in 100 samples has

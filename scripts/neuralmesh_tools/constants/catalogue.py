@@ -146,6 +146,7 @@ _OF_GROWTH = {
         [
             ("leastGain", "0.025", "0.1", "share of the vertices"),
             ("stagnationPeriods", "3", "10", "times μ·n signals"),
+            ("timesChance", "0.75", "3", "idle vertices by chance"),
         ],
     ),
     **fixed(

@@ -54,6 +54,14 @@ GROWTH: tuple[Mutant, ...] = (
         ),
     ),
     Mutant(
+        "chance-is-replaced",
+        "vertices that are idle by chance stay",
+        "core/growth.cpp",
+        "constexpr double timesChance = 1.5;",
+        "constexpr double timesChance = -1;",
+        ("Growth.does_not_replace_vertices_that_are_idle_by_chance",),
+    ),
+    Mutant(
         "islands-stay",
         "what a web encloses is taken out with it",
         "core/topology/unsupported_patches.cpp",
