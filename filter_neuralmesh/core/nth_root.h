@@ -5,8 +5,8 @@
 
 namespace neuralmesh {
 
-/// By multiplications only, which are the same everywhere: the C library's pow() is not, and the same
-/// seed has to give the same mesh.
+/// By multiplications only, which are the same everywhere: the C library's pow() is not, and the
+/// same seed has to give the same mesh.
 inline double power(double base, std::uint64_t exponent)
 {
     double result = 1;
