@@ -15,6 +15,7 @@ from pathlib import Path
 
 TESTS = "filter_neuralmesh/tests/neuralmesh_tests"
 INCLUDED_FROM = Path("filter_neuralmesh")  # what "core/..." is relative to
+PRECOMPILED = ".gch"  # how the name of a precompiled header ends
 
 
 class BuildFailed(RuntimeError):
@@ -70,24 +71,29 @@ class BuiltProgram:
         changed = scratch / Path(file).relative_to(INCLUDED_FROM)
         changed.parent.mkdir(parents=True)
         changed.write_text(text, encoding="utf-8")
+        dependents = self._dependents.get((self._root / file).resolve(), [])
+        is_precompiled = any(old.endswith(PRECOMPILED) for old in dependents)
         objects: dict[str, Path] = {}
-        for number, old in enumerate(self._dependents.get((self._root / file).resolve(), [])):
+        for number, old in enumerate(old for old in dependents if not old.endswith(PRECOMPILED)):
             objects[old] = scratch / f"{number}.o"
-            self._compile(old, objects[old], file, changed, scratch)
+            words = self._words_to_compile(old, objects[old], file, changed, scratch)
+            if is_precompiled:  # a precompiled header holds the file as it was
+                del words[words.index("-include") : words.index("-include") + 2]
+            _run(words, self.folder)
         if not objects:
             raise BuildFailed(f"no object of {self._target} depends on {file}")
         return self._link(objects, scratch)
 
-    def _compile(self, old: str, new: Path, file: str, changed: Path, scratch: Path) -> None:
+    def _words_to_compile(
+        self, old: str, new: Path, file: str, changed: Path, scratch: Path
+    ) -> list[str]:
         # A mutant may leave something unused: that is no error in it.
         words = [w for w in shlex.split(self._only_command(f" -o {old} -c ")) if w != "-Werror"]
         source = str(self._root / file)
         words = [str(changed) if word == source else word.replace(old, str(new)) for word in words]
-        if "-include" in words:  # a precompiled header may hold the file as it was
-            del words[words.index("-include") : words.index("-include") + 2]
         place = next(i for i, word in enumerate(words) if word.startswith("-I"))
         words.insert(place, f"-I{scratch}")
-        _run(words, self.folder)
+        return words
 
     def _link(self, objects: dict[str, Path], scratch: Path) -> Path:
         linked = scratch / self._target

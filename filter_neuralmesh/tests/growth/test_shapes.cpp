@@ -6,8 +6,6 @@
 // per cent of the points' diagonal.
 #include <gtest/gtest.h>
 
-#include <ctime>
-
 #include "core/growth.h"
 #include "core/mesh/mesh_checks.h"
 #include "samplers/points/point_cloud_sampler.h"
@@ -152,24 +150,18 @@ TEST(Shapes, a_scan_of_one_side_keeps_its_points_on_the_mesh)
 }
 
 /// Seconds of this process's own.
-double secondsToGrow(const WorldPoints &points, const GrowthParameters &parameters)
-{
-    const PointCloudSampler sampler(points);
-    NeuralMesh mesh;
-    const std::clock_t start = std::clock();
-    grow(mesh, sampler, parameters);
-    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
 /// Where the points are no denser than the vertices, all of the mesh is further from them than half
 /// an edge. It is no web for that, and need not be searched for a better filling all over.
 TEST(Shapes, few_points_are_no_reason_to_look_for_webs_everywhere)
 {
     const Shape shape = animal();
-    const GrowthParameters parameters = withTarget(1300, 1);
-    const double many = secondsToGrow(shape.points(30000, 1), parameters);
-    const double few = secondsToGrow(shape.points(2000, 1), parameters);
-    EXPECT_LT(few, 5 * many); // 2.2 times as long; where it is, 14
+    int removed = 0;
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const PointCloudSampler sampler(shape.points(2000, seed));
+        NeuralMesh mesh;
+        removed += grow(mesh, sampler, withTarget(1300, seed)).changes.websRemoved;
+    }
+    EXPECT_LT(removed, 10);
 }
 
 } // namespace
