@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import json
+import signal
 import subprocess
 import sys
 import time
@@ -30,9 +31,14 @@ def run_batch(*arguments: object) -> subprocess.CompletedProcess[str]:
 
 
 def start_batch(*arguments: object) -> subprocess.Popen[str]:
-    """Start a batch and return at once."""
+    """Start a batch, as in a terminal, and return at once."""
+    # What a shell starts in the background ignores SIGINT, and so does all that it starts.
     return subprocess.Popen(
-        command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+        command(*arguments),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
 
 
