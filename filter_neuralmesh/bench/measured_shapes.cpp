@@ -181,12 +181,14 @@ MeasuredShape fromAbove(const std::string &name, const Shape &shape, double heig
             }};
 }
 
-MeasuredShape open(const std::string &name, const Shape &shape, double percent)
+/// Grown from a start that is made of the data.
+MeasuredShape learned(const std::string &name, const Shape &shape, double percent,
+                      BoundaryRule boundaries)
 {
     return {name, [=](std::uint64_t seed) {
                 Target target = noisy(name, shape, percent).make(seed);
                 target.parameters.topology = Topology::learned;
-                target.parameters.boundaries = BoundaryRule::open;
+                target.parameters.boundaries = boundaries;
                 return target;
             }};
 }
@@ -230,8 +232,12 @@ const std::vector<MeasuredShape> &measuredShapes()
         amongOutliers("outliers", raspberry()),
         fromAbove("scan-of-hand", hand(), 0.02),
         fromAbove("scan-of-bracket", bracket(), 0.02),
-        open("bowl", bowl(), 0),
-        open("bowl-0.5", bowl(), 0.5),
+        learned("bowl", bowl(), 0, BoundaryRule::open),
+        learned("bowl-0.5", bowl(), 0.5, BoundaryRule::open),
+        learned("learned-hand", hand(), 0, BoundaryRule::closed),
+        learned("learned-bracket", bracket(), 0, BoundaryRule::closed),
+        learned("learned-radiator-0.5", radiator(), 0.5, BoundaryRule::closed),
+        learned("learned-raspberry-0.5", raspberry(), 0.5, BoundaryRule::closed),
         byFormula("implicit-plate", plate(), implicitPlate),
         byFormula("parametric-ball", ball(), parametricBall)};
     return shapes;

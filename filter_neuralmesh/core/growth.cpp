@@ -9,13 +9,11 @@
 #include "core/fit/surface_fit.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/edge_lengths.h"
-#include "core/mesh/enumeration.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_topology.h"
-#include "core/mesh/vertex_data.h"
+#include "core/network/census.h"
 #include "core/network/growing_network.h"
 #include "core/network/learning_rules.h"
-#include "core/nth_root.h"
 #include "core/random_streams.h"
 #include "core/result/convergence.h"
 #include "core/result/error_measure.h"
@@ -43,7 +41,7 @@ constexpr double shareOfSettling = 0.25;
 /// A vertex on the border of the data learns from samples up to so many mean edges away. What is
 /// further, the start would hold if it were of the surface; vertices that follow a few strays
 /// stretch a flap to them.
-constexpr double reachOfBorder = 2;
+constexpr Scalar reachOfBorder = 2;
 
 /// Shares of the time until a start from the data is made, and until growth ends; the fit takes the
 /// rest.
@@ -53,13 +51,8 @@ constexpr double shareOfGrowth = 0.85;
 /// Signals between two calls of the progress callback.
 constexpr std::size_t signalsPerReport = 10000;
 
-/// Consolidation ends after so many rounds even where each still removes a vertex...
+/// Consolidation ends after so many rounds even where each still removes a vertex.
 constexpr int consolidationRounds = 10;
-/// ...or when so many vertices are idle as would be by chance, and half as many again: growth would
-/// put others in their place.
-constexpr double timesChance = 1.5;
-/// Samples of a census for each vertex: one with the average share misses all with e^-10.
-constexpr std::size_t censusPerVertex = 10;
 
 /// Growth has come to a stop where it gains less than this share of its vertices...
 constexpr double leastGain = 0.05;
@@ -172,30 +165,19 @@ private:
         }
     }
 
-    /// Removes the vertices that win none of the samples of a census, and grows again what was
-    /// lost, until no such vertex is left. Growth removes a vertex only after μ·n signals, in
-    /// which the network grows by a fifth: the latest misplaced vertices are still there.
+    /// Removes the vertices that win none of the samples of a census, where these are more than by
+    /// chance, and grows again what was lost. Growth removes a vertex only after μ·n signals, in
+    /// which the network grows by an eighth: the latest misplaced vertices are still there.
     void consolidate()
     {
         for (int round = 0; round < consolidationRounds && !isCrowded_; ++round) {
-            const std::vector<VertexId> idle = idleVertices();
-            if (!idle.empty() && static_cast<double>(idle.size()) <= timesChance * idleByChance())
-                return;
-            network_.collapse(idle, supportOfBatch());
+            const Census census(network_.vertexCount(), sampler_.pointCount());
+            drawBatch(census.samples());
+            network_.collapse(census.misplaced(network_, batch_), supportOfBatch());
             if (isComplete())
                 return;
             growToTarget();
         }
-    }
-
-    /// How many cells of as many as there are vertices hold none of the points, where these fall
-    /// into any of them alike.
-    double idleByChance() const
-    {
-        const auto vertices = static_cast<std::uint64_t>(network_.vertexCount());
-        const std::uint64_t points = sampler_.pointCount();
-        const auto cells = static_cast<double>(vertices);
-        return points > 1000 * vertices ? 0 : cells * power(1 - 1 / cells, points);
     }
 
     /// Returns how many faces intersect another.
@@ -205,26 +187,6 @@ private:
             report(progress_, shareOfGrowth + (1 - shareOfGrowth) * fraction, activity);
             return true;
         });
-    }
-
-    std::vector<VertexId> idleVertices()
-    {
-        VertexData<char> hasWon(network_.mesh(), 0);
-        // Where the points are few, a vertex may have only one of them.
-        const auto vertices = static_cast<std::size_t>(network_.vertexCount());
-        const std::size_t points = sampler_.pointCount();
-        drawBatch(censusPerVertex * (points < 4 * vertices ? points : vertices));
-        VertexId winner = noVertex;
-        for (const Point3 &sample : batch_) {
-            winner = network_.nearestVertex(sample, winner);
-            hasWon[winner] = 1;
-        }
-        std::vector<VertexId> idle;
-        forEachVertex(network_.mesh(), [&](VertexId v) {
-            if (hasWon[v] == 0)
-                idle.push_back(v);
-        });
-        return idle;
     }
 
     /// Steps 1 to 4 for each sample of a batch.
@@ -249,13 +211,8 @@ private:
     /// How far beyond a border samples are learned from.
     Scalar reachOfBorders() const
     {
-        if (!hasBorders_)
-            return std::numeric_limits<Scalar>::max();
-        double sum = 0;
-        forEachVertex(network_.mesh(), [&](VertexId v) {
-            sum += static_cast<double>(meanEdge(network_.mesh(), v));
-        });
-        return static_cast<Scalar>(reachOfBorder * sum / network_.vertexCount());
+        return hasBorders_ ? reachOfBorder * meanEdge(network_.mesh())
+                           : std::numeric_limits<Scalar>::max();
     }
 
     void sampleBatch()

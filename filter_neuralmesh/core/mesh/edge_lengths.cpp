@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/mesh/enumeration.h"
+
 namespace neuralmesh {
 namespace {
 
@@ -20,6 +22,13 @@ Scalar meanEdge(const NeuralMesh &mesh, VertexId v)
     for (const VertexId u : mesh.ring(v))
         mean += edgeLength(mesh, u, v) / valence;
     return mean;
+}
+
+Scalar meanEdge(const NeuralMesh &mesh)
+{
+    Scalar sum = 0;
+    forEachVertex(mesh, [&](VertexId v) { sum += meanEdge(mesh, v); });
+    return sum / static_cast<Scalar>(mesh.vn);
 }
 
 Scalar shortestEdge(const NeuralMesh &mesh, VertexId v)

@@ -14,6 +14,9 @@ inline Scalar edgeLength(const NeuralMesh &mesh, VertexId v, VertexId u)
 /// Mean length of the edges of v.
 Scalar meanEdge(const NeuralMesh &mesh, VertexId v);
 
+/// Mean of that over the vertices of a mesh.
+Scalar meanEdge(const NeuralMesh &mesh);
+
 /// Length of the shortest edge of v.
 Scalar shortestEdge(const NeuralMesh &mesh, VertexId v);
 

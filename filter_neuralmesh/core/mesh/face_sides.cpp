@@ -37,6 +37,15 @@ std::vector<FaceSide> sidesByEdge(const std::vector<Corners> &faces)
     return sides;
 }
 
+std::vector<Corners> kept(const std::vector<Corners> &faces, const std::vector<bool> &stays)
+{
+    std::vector<Corners> result;
+    for (FaceId f = 0; f < faces.size(); ++f)
+        if (stays[f])
+            result.push_back(faces[f]);
+    return result;
+}
+
 std::vector<std::array<FaceId, 3>> facesAcross(const std::vector<Corners> &faces)
 {
     const std::vector<FaceSide> sides = sidesByEdge(faces);

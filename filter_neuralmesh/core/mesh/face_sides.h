@@ -21,6 +21,9 @@ struct FaceSide {
 /// By low, then high, then face. In linear time where no vertex has many neighbours.
 std::vector<FaceSide> sidesByEdge(const std::vector<Corners> &faces);
 
+/// The faces for which `stays` holds.
+std::vector<Corners> kept(const std::vector<Corners> &faces, const std::vector<bool> &stays);
+
 /// By face: the faces across its three sides, or noFace. No edge may have more than two faces.
 std::vector<std::array<FaceId, 3>> facesAcross(const std::vector<Corners> &faces);
 

@@ -4,18 +4,15 @@
 #include <array>
 
 #include "core/mesh/face_sides.h"
-#include "core/space/vertex_grid.h"
 
 namespace neuralmesh {
 namespace {
 
 class BorderTrimming {
 public:
-    BorderTrimming(const TriangleSoup &soup, const std::vector<Point3> &points,
-                   const TrimmingRadii &radii)
-        : soup_(soup), points_(points), radii_(radii), grid_(gridOf(points)),
-          across_(facesAcross(soup.faces)), stays_(soup.faces.size(), true),
-          borderSides_(soup.points.size(), 0)
+    BorderTrimming(const TriangleSoup &soup, const PointIndex &points, const TrimmingRadii &radii)
+        : soup_(soup), points_(points), radii_(radii), across_(facesAcross(soup.faces)),
+          stays_(soup.faces.size(), true), borderSides_(soup.points.size(), 0)
     {
         for (FaceId f = 0; f < soup_.faces.size(); ++f)
             for (unsigned side = 0; side < 3; ++side)
@@ -38,25 +35,10 @@ public:
                 if (across != noFace)
                     toLookAt.push_back(across);
         }
-        std::vector<Corners> kept;
-        for (FaceId f = 0; f < soup_.faces.size(); ++f)
-            if (stays_[f])
-                kept.push_back(soup_.faces[f]);
-        return kept;
+        return kept(soup_.faces, stays_);
     }
 
 private:
-    static VertexGrid gridOf(const std::vector<Point3> &points)
-    {
-        Box3 bounds;
-        for (const Point3 &p : points)
-            bounds.Add(p);
-        VertexGrid grid(bounds);
-        for (std::size_t i = 0; i < points.size(); ++i)
-            grid.insert(static_cast<VertexId>(i), points[i]);
-        return grid;
-    }
-
     bool isOnBorder(FaceId f, unsigned side) const
     {
         const FaceId across = across_[f][side];
@@ -91,8 +73,8 @@ private:
         const Point3 centre = (a + b + d) / 3;
         const Point3 normal = ((b - a) ^ (d - a)).Normalize();
         bool hasPoint = false;
-        grid_.forEachWithin(centre, static_cast<Scalar>(radii_.away), [&](VertexId id) {
-            const Point3 from = points_[id] - centre;
+        points_.forEachWithin(centre, radii_.away, [&](const Point3 &p) {
+            const Point3 from = p - centre;
             const Point3 along = from - normal * from.dot(normal);
             hasPoint = hasPoint || static_cast<double>(along.Norm()) <= radii_.along;
         });
@@ -107,9 +89,8 @@ private:
     }
 
     const TriangleSoup &soup_;
-    const std::vector<Point3> &points_;
+    const PointIndex &points_;
     TrimmingRadii radii_;
-    VertexGrid grid_;
     std::vector<std::array<FaceId, 3>> across_;
     std::vector<bool> stays_;
     std::vector<int> borderSides_; ///< of border edges, by vertex
@@ -117,7 +98,7 @@ private:
 
 } // namespace
 
-std::vector<Corners> trimBorders(const TriangleSoup &soup, const std::vector<Point3> &points,
+std::vector<Corners> trimBorders(const TriangleSoup &soup, const PointIndex &points,
                                  const TrimmingRadii &radii)
 {
     return BorderTrimming(soup, points, radii).run();

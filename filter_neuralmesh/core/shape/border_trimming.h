@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/shape/marching_tetrahedra.h"
+#include "core/space/point_index.h"
 
 namespace neuralmesh {
 
@@ -16,7 +17,7 @@ struct TrimmingRadii {
 
 /// The faces of a two-manifold without those that lie beyond the points, from its borders inwards,
 /// as long as that tears nothing off and pinches nothing: parts, handles and borders stay as many.
-std::vector<Corners> trimBorders(const TriangleSoup &soup, const std::vector<Point3> &points,
+std::vector<Corners> trimBorders(const TriangleSoup &soup, const PointIndex &points,
                                  const TrimmingRadii &radii);
 
 } // namespace neuralmesh

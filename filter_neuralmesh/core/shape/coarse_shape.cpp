@@ -66,7 +66,8 @@ constexpr double sidesInCells = 2;
 constexpr float leastLevel = 0.25F;
 
 /// Of the levels at which the shape is read, so many must agree for one that the coarser grid had
-/// already; and for that of an open sheet to be trusted on the first grid.
+/// already; and for that of an open sheet to be trusted on the first grid, since finer ones tear it
+/// where outliers are near.
 constexpr int fewestVotes = 3;
 constexpr int clearVotes = 4;
 /// Shares of the area and of the points up to which a surface without votes is believed.
@@ -123,8 +124,8 @@ class ShapeSearch {
 public:
     ShapeSearch(const std::vector<Point3> &points, std::size_t pointCount, const GridSize &cells,
                 const Progress &progress)
-        : points_(points), pointCount_(static_cast<double>(pointCount)), field_(points, cells),
-          progress_(progress)
+        : points_(points), pointCount_(static_cast<double>(pointCount)), index_(points),
+          field_(points, cells), progress_(progress)
     {
     }
 
@@ -160,11 +161,12 @@ public:
     /// Of the surface's faces.
     const SurfaceSupport &support() const { return support_; }
 
-    /// For what reaches beyond the points of a surface of that area.
-    TrimmingRadii trimmingRadii(double area) const
+    /// The faces of a part of the surface that do not reach beyond the points.
+    std::vector<Corners> trimmed(const TriangleSoup &part) const
     {
         const double drawn = std::min(pointCount_, static_cast<double>(points_.size()));
-        return {supportRadii().near, nearInSpacings * std::sqrt(area / drawn)};
+        const double spacing = std::sqrt(areaOf(part) / drawn);
+        return trimBorders(part, index_, {supportRadii().near, nearInSpacings * spacing});
     }
 
 private:
@@ -181,7 +183,7 @@ private:
         const OutsideFlood flood(insideness(), points_,
                                  std::max(crustOfCells, crustOfSpacings * spacing()));
         isSheet_ = isSheet_ || (flood.doubledShare() > shareOfSheet &&
-                                !haveTwoSides(points_, sidesInCells / resolution()));
+                                !haveTwoSides(index_, sidesInCells / resolution()));
         if (isSheet_)
             return;
         field_.holdOutside(flood.outside());
@@ -213,7 +215,7 @@ private:
         ShapeReading reading =
             readShape(insideness(), points_, supportRadii().far * resolution(), fewestVotes);
         spacingInGrid_ = std::sqrt(areaOf(reading.surface.soup) / pointCount_);
-        support_ = measureSupport(reading.surface.soup, points_, supportRadii());
+        support_ = measureSupport(reading.surface.soup, index_, supportRadii());
         return reading;
     }
 
@@ -226,6 +228,7 @@ private:
 
     const std::vector<Point3> &points_;
     double pointCount_;
+    PointIndex index_;
     WindingField field_;
     const Progress &progress_;
     double work_ = 0; ///< that is done, in rounds of the first grid
@@ -274,7 +277,7 @@ CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
     shape.openings = opening.openings;
     TriangleSoup surface{search.soup().points, opening.faces};
     if (shape.openings > 0)
-        surface.faces = trimBorders(surface, inGrid, search.trimmingRadii(areaOf(surface)));
+        surface.faces = search.trimmed(surface);
     makeManifold(mesh, surface.points, surface.faces, Boundaries::allowed);
     removeCrumbs(mesh, ShapeReading::leastPoints * areaOf(search.soup()) /
                            static_cast<double>(points.size()));

@@ -46,14 +46,7 @@ public:
         }
     }
 
-    std::vector<Corners> faces() const
-    {
-        std::vector<Corners> kept;
-        for (FaceId f = 0; f < soup_.faces.size(); ++f)
-            if (stays_[f])
-                kept.push_back(soup_.faces[f]);
-        return kept;
-    }
+    std::vector<Corners> faces() const { return kept(soup_.faces, stays_); }
 
 private:
     double areaOf(FaceId f) const

@@ -2,7 +2,6 @@
 #include "core/shape/surface_support.h"
 
 #include "core/mesh/triangle.h"
-#include "core/space/vertex_grid.h"
 
 namespace neuralmesh {
 namespace {
@@ -22,15 +21,9 @@ double areaOf(const TriangleSoup &soup)
     return sum;
 }
 
-SurfaceSupport measureSupport(const TriangleSoup &soup, const std::vector<Point3> &points,
+SurfaceSupport measureSupport(const TriangleSoup &soup, const PointIndex &points,
                               const SupportRadii &radii)
 {
-    Box3 bounds;
-    for (const Point3 &p : points)
-        bounds.Add(p);
-    VertexGrid grid(bounds);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        grid.insert(static_cast<VertexId>(i), points[i]);
     SurfaceSupport support;
     support.ofFace.reserve(soup.faces.size());
     double all = 0;
@@ -38,9 +31,9 @@ SurfaceSupport measureSupport(const TriangleSoup &soup, const std::vector<Point3
     for (const Corners &face : soup.faces) {
         const Triangle t = triangle(soup, face);
         const Point3 centre = (t.a + t.b + t.c) / 3;
-        support.ofFace.push_back(grid.hasWithin(centre, radii.near)  ? Support::near
-                                 : grid.hasWithin(centre, radii.far) ? Support::notNear
-                                                                     : Support::far);
+        support.ofFace.push_back(points.hasWithin(centre, radii.near)  ? Support::near
+                                 : points.hasWithin(centre, radii.far) ? Support::notNear
+                                                                       : Support::far);
         const double faceArea = area(t);
         all += faceArea;
         far += support.ofFace.back() == Support::far ? faceArea : 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/shape/marching_tetrahedra.h"
+#include "core/space/point_index.h"
 
 namespace neuralmesh {
 
@@ -26,7 +27,7 @@ struct SurfaceSupport {
 double areaOf(const TriangleSoup &soup);
 
 /// A face is as far from the points as its centre.
-SurfaceSupport measureSupport(const TriangleSoup &soup, const std::vector<Point3> &points,
+SurfaceSupport measureSupport(const TriangleSoup &soup, const PointIndex &points,
                               const SupportRadii &radii);
 
 } // namespace neuralmesh

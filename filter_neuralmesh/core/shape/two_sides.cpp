@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/space/point_statistics.h"
-#include "core/space/vertex_grid.h"
 
 namespace neuralmesh {
 namespace {
@@ -21,12 +20,10 @@ constexpr double mostKurtosis = 2.1;
 /// Heights up to this share of the radius are rounding, and tell nothing.
 constexpr double leastHeight = 1e-5;
 
-std::vector<Point3> pointsAround(const std::vector<Point3> &points, const VertexGrid &grid,
-                                 const Point3 &place, double radius)
+std::vector<Point3> pointsAround(const PointIndex &index, const Point3 &place, double radius)
 {
     std::vector<Point3> around;
-    grid.forEachWithin(place, static_cast<Scalar>(radius),
-                       [&](VertexId id) { around.push_back(points[id]); });
+    index.forEachWithin(place, radius, [&](const Point3 &p) { around.push_back(p); });
     const std::size_t stride = around.size() / mostAround + 1;
     std::vector<Point3> chosen;
     for (std::size_t i = 0; i < around.size(); i += stride)
@@ -56,17 +53,12 @@ Eigen::VectorXd heights(const std::vector<Point3> &around, double radius)
 
 } // namespace
 
-bool haveTwoSides(const std::vector<Point3> &points, double radius)
+bool haveTwoSides(const PointIndex &index, double radius)
 {
-    Box3 bounds;
-    for (const Point3 &p : points)
-        bounds.Add(p);
-    VertexGrid grid(bounds);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        grid.insert(static_cast<VertexId>(i), points[i]);
+    const std::vector<Point3> &points = index.points();
     std::vector<double> kurtoses;
     for (std::size_t i = 0; i < points.size(); i += points.size() / places + 1) {
-        const std::vector<Point3> around = pointsAround(points, grid, points[i], radius);
+        const std::vector<Point3> around = pointsAround(index, points[i], radius);
         if (around.size() < fewestAround)
             continue;
         const Eigen::ArrayXd squared = heights(around, radius).array().square();

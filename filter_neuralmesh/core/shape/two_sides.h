@@ -2,9 +2,7 @@
 // Tells a plate, a wall with points on both of its sides, from a sheet with noise.
 #pragma once
 
-#include <vector>
-
-#include "core/mesh/neural_mesh.h"
+#include "core/space/point_index.h"
 
 namespace neuralmesh {
 
@@ -12,6 +10,6 @@ namespace neuralmesh {
 /// them, then, the heights above the best quadric (of x, y, x², xy, y²) have two peaks. Their
 /// kurtosis is near 1, of a uniform distribution 1.8, of noise 3 (Darlington: Is kurtosis really
 /// "peakedness"?, The American Statistician 1970).
-bool haveTwoSides(const std::vector<Point3> &points, double radius);
+bool haveTwoSides(const PointIndex &index, double radius);
 
 } // namespace neuralmesh

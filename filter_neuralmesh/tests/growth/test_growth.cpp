@@ -159,6 +159,17 @@ TEST(Growth, makes_as_many_vertices_as_there_are_points)
     EXPECT_TRUE(report.reachedTarget);
 }
 
+TEST(Growth, from_closed_data_takes_fewer_signals_to_settle_than_to_grow)
+{
+    // Half of the vertices are the start's. The other half takes λ signals each, and so would the
+    // start, if it were not near the samples.
+    const GrowthParameters parameters = withTarget(1000);
+    const PointCloudSampler sampler(densePointsOnSphere());
+    NeuralMesh mesh;
+    const GrowthReport report = grow(mesh, sampler, parameters);
+    EXPECT_LT(static_cast<double>(report.signalCount), 0.75 * 1000 * parameters.signalsPerSplit);
+}
+
 TEST(Growth, does_not_replace_vertices_that_are_idle_by_chance)
 {
     // Of two points a vertex, an eighth of the vertices wins none, whichever they are.

@@ -99,7 +99,7 @@ TEST(BorderTrimming, leaves_a_closed_surface)
     TriangleSoup tetrahedron;
     tetrahedron.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     tetrahedron.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
-    EXPECT_EQ(trimBorders(tetrahedron, {{5, 5, 5}}, radii).size(), 4U);
+    EXPECT_EQ(trimBorders(tetrahedron, test::Points{{5, 5, 5}}, radii).size(), 4U);
 }
 
 } // namespace

@@ -43,7 +43,7 @@ TEST(SurfaceSupport, of_a_face_is_by_the_distance_of_its_centre_from_the_nearest
 
 TEST(SurfaceSupport, no_face_is_far_where_there_is_none)
 {
-    const SurfaceSupport support = measureSupport({}, {{0, 0, 0}, {1, 1, 1}}, {1, 2});
+    const SurfaceSupport support = measureSupport({}, test::Points{{0, 0, 0}, {1, 1, 1}}, {1, 2});
     EXPECT_TRUE(support.ofFace.empty());
     EXPECT_EQ(support.farShare, 0);
 }

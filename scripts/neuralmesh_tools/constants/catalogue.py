@@ -11,6 +11,7 @@ from neuralmesh_tools.constants.catalogue_of_samplers import OF_FILES, OF_SAMPLE
 from neuralmesh_tools.constants.entries import (
     BODIES,
     EDGES,
+    LEARNED,
     NOISE,
     OUTLIERS,
     SCANS,
@@ -26,6 +27,7 @@ from neuralmesh_tools.constants.source import ATTRIBUTES, PARAMETERS
 _NETWORK = "core/network/growing_network.cpp"
 _FIT = "core/fit/surface_fit.cpp"
 _GROWTH = "core/growth.cpp"
+_CENSUS = "core/network/census.cpp"
 
 _LEARNING = {
     **fixed(
@@ -137,7 +139,17 @@ _OF_GROWTH = {
         [
             ("batchPerVertex", "0.25", "1", "signals a vertex"),
             ("consolidationRounds", "5", "20", "rounds"),
-            ("censusPerVertex", "5", "20", "samples a vertex"),
+        ],
+    ),
+    **swept(_GROWTH, LEARNED, [("shareOfSettling", "0.125", "0.5", "share of λ")]),
+    **swept(_GROWTH, EDGES, [("reachOfBorder", "1", "4", "mean edges")]),
+    **swept(_CENSUS, BODIES, [("samplesPerVertex", "5", "20", "samples a vertex")]),
+    **swept(
+        _CENSUS,
+        SPARSE,
+        [
+            ("fewPointsPerVertex", "2", "8", "points a vertex"),
+            ("timesChance", "0.75", "3", "idle vertices by chance"),
         ],
     ),
     **swept(
@@ -146,7 +158,6 @@ _OF_GROWTH = {
         [
             ("leastGain", "0.025", "0.1", "share of the vertices"),
             ("stagnationPeriods", "3", "10", "times μ·n signals"),
-            ("timesChance", "0.75", "3", "idle vertices by chance"),
         ],
     ),
     **fixed(
@@ -156,19 +167,6 @@ _OF_GROWTH = {
                 "samplesPerErrorMeasure",
                 "samples a vertex",
                 "figures that are told follow from it, no mesh",
-            ),
-            (
-                "shareOfSettling",
-                "share of λ",
-                "these shapes grow from the tetrahedron. On eight models from the data, 100,000 "
-                "clean points, two seeds, RMS as ratios to a share of 1: 0.1 gives 1.11 to the "
-                "mesh, 0.25 gives 1.03, at 0.83 and 0.85 of the time",
-            ),
-            (
-                "reachOfBorder",
-                "mean edges",
-                "these shapes have no border. Of the scan face000, 20 to 28 % of the area is "
-                "unsupported without a limit, 5 to 10 % with 1.5 and 5 to 12 % with 3",
             ),
             ("shareOfGrowth", "share of the time", "the progress bar follows from it, no mesh"),
             ("signalsPerReport", "signals", "the progress bar follows from it, no mesh"),

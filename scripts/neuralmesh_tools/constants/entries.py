@@ -9,6 +9,7 @@ from dataclasses import dataclass
 BODIES = ("hand", "bracket", "radiator-0.5", "raspberry-0.5")
 WALLS = ("plate", "radiator", "hand")
 EDGES = ("bowl", "bowl-0.5")
+LEARNED = ("learned-hand", "learned-bracket", "learned-radiator-0.5", "learned-raspberry-0.5")
 SCANS = ("scan-of-hand", "scan-of-bracket")
 SPARSE = ("sparse-hand", "hand")
 NOISE = ("hand-0.3", "radiator-0.5", "raspberry-0.5")

@@ -18,8 +18,8 @@ CLOSING: tuple[Mutant, ...] = (
         "borders-follow-strays",
         "samples far beyond a border are not learned from",
         "core/growth.cpp",
-        "constexpr double reachOfBorder = 2;",
-        "constexpr double reachOfBorder = 2000;",
+        "constexpr Scalar reachOfBorder = 2;",
+        "constexpr Scalar reachOfBorder = 2000;",
         ("Borders.do_not_follow_strays",),
     ),
     Mutant(

@@ -54,9 +54,17 @@ GROWTH: tuple[Mutant, ...] = (
         ),
     ),
     Mutant(
+        "starts-settle-as-long",
+        "a closed start from the data settles with fewer signals",
+        "core/growth.cpp",
+        "(isNearSamples ? shareOfSettling : 1)",
+        "(isNearSamples ? 1 : 1)",
+        ("Growth.from_closed_data_takes_fewer_signals_to_settle_than_to_grow",),
+    ),
+    Mutant(
         "chance-is-replaced",
         "vertices that are idle by chance stay",
-        "core/growth.cpp",
+        "core/network/census.cpp",
         "constexpr double timesChance = 1.5;",
         "constexpr double timesChance = -1;",
         ("Growth.does_not_replace_vertices_that_are_idle_by_chance",),

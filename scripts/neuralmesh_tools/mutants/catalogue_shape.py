@@ -17,7 +17,7 @@ SHAPE: tuple[Mutant, ...] = (
         "plates-are-sheets",
         "a plate with points on both sides is no open sheet",
         "core/shape/coarse_shape.cpp",
-        "!haveTwoSides(points_, sidesInCells / resolution())",
+        "!haveTwoSides(index_, sidesInCells / resolution())",
         "true",
         ("CoarseShape.of_a_thin_plate_is_no_sheet",),
     ),
@@ -150,6 +150,14 @@ SHAPE: tuple[Mutant, ...] = (
         "reading.votes >= fewestVotes && reading.surface.hasShapeOf(coarser.surface)",
         "reading.votes >= clearVotes",
         ("CoarseShape.of_an_arm_beside_a_body_has_no_handle",),
+    ),
+    Mutant(
+        "sheets-are-refined",
+        "the shape of a sheet is that of the first grid",
+        _SHAPE,
+        "bool isStable = isSheet_ && reading.votes >= clearVotes;",
+        "bool isStable = isSheet_ && reading.votes < 0;",
+        ("Closing.a_sheet_among_outliers_is_one_piece_without_folds",),
     ),
     Mutant(
         "all-is-clear",

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Points that can be asked for those near a place.
+#pragma once
+
+#include <vector>
+
+#include "core/space/vertex_grid.h"
+
+namespace neuralmesh {
+
+/// Refers to the points, which have to stay.
+class PointIndex {
+public:
+    PointIndex(const std::vector<Point3> &points) : points_(points), grid_(boundsOf(points))
+    {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            grid_.insert(static_cast<VertexId>(i), points[i]);
+    }
+
+    const std::vector<Point3> &points() const { return points_; }
+
+    /// Whether a point lies within the radius.
+    bool hasWithin(const Point3 &place, double radius) const
+    {
+        return grid_.hasWithin(place, static_cast<Scalar>(radius));
+    }
+
+    /// Calls visit(point) for each point within the radius.
+    template <class Visit>
+    void forEachWithin(const Point3 &place, double radius, const Visit &visit) const
+    {
+        grid_.forEachWithin(place, static_cast<Scalar>(radius),
+                            [&](VertexId id) { visit(points_[id]); });
+    }
+
+private:
+    static Box3 boundsOf(const std::vector<Point3> &points)
+    {
+        Box3 bounds;
+        for (const Point3 &p : points)
+            bounds.Add(p);
+        return bounds;
+    }
+
+    const std::vector<Point3> &points_;
+    VertexGrid grid_;
+};
+
+} // namespace neuralmesh
