@@ -33,12 +33,20 @@ def vertex_normals(points: Points, faces: Faces) -> Points:
 
 
 def sample_surface(
-    points: Points, faces: Faces, count: int, generator: np.random.Generator
+    points: Points,
+    faces: Faces,
+    count: int,
+    generator: np.random.Generator,
+    density: NDArray[np.float64] | float = 1.0,
 ) -> tuple[Points, Points]:
-    """Draw points (count, 3) uniformly by area, and the unit normals (count, 3) of their faces."""
+    """Draw points (count, 3) of a surface, and the unit normals (count, 3) of their faces.
+
+    density: of the points by area, that of all faces or of each (m,), on any scale.
+    """
     normals = face_normals(points, faces)
     doubled_area = np.linalg.norm(normals, axis=1)
-    chosen = generator.choice(len(faces), size=count, p=doubled_area / doubled_area.sum())
+    weight = doubled_area * density
+    chosen = generator.choice(len(faces), size=count, p=weight / weight.sum())
     root, along = np.sqrt(generator.random(count))[:, None], generator.random(count)[:, None]
     a, b, c = (points[faces[chosen, k]] for k in range(3))
     drawn = (1 - root) * a + root * (1 - along) * b + root * along * c

@@ -9,8 +9,9 @@ layer: normals where it estimates them, the reconstruction, its repairs, and the
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,9 @@ from neuralmesh_tools.project import RECONSTRUCT
 
 NORMAL_NEIGHBOURS = 16
 POISSON_DEPTH = 8
+# Of Poisson at its best: what its users turn first. Noise asks for more neighbours and less depth.
+BEST_NEIGHBOURS = (16, 64)
+BEST_DEPTHS = (7, 8, 9)
 # The filter's default, 0.8, leaves more than half of 5 % uniform outliers in on the bunny; 0.3
 # leaves a third and costs 1 % of the good points.
 OUTLIER_PROBABILITY = 0.3
@@ -38,12 +42,14 @@ class Task:
     """What a method is asked for: so many vertices, with so many threads at most.
 
     spacing: the median distance of a point to its nearest neighbour, in the input's units; 0 if it
-    is not known. parameters: of the filter, for ours only.
+    is not known. outliers: whether the points are known to hold some. parameters: of the filter,
+    for ours only.
     """
 
     vertices: int
     threads: int = 1
     spacing: float = 0.0
+    outliers: bool = False
     parameters: dict[str, Any] = field(default_factory=dict)
 
 
@@ -56,15 +62,17 @@ class Method:
 
     label: of it in a table; name: in a sentence; about: what it does, in a line. needs_normals: it
     takes those of the layer. parameters: of the filter, for ours, that differ from the defaults.
+    settings: where it is the best of several: those, each with its label; it has no steps then.
     """
 
     label: str
     name: str
     about: str
-    steps: tuple[Step, ...]
+    steps: tuple[Step, ...] = ()
     needs_normals: bool = False
     exact: bool = False
     parameters: dict[str, Any] = field(default_factory=dict)
+    settings: tuple[Method, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -99,17 +107,19 @@ def reconstruct(method: Method, document: pymeshlab.MeshSet, task: Task) -> Reco
     return Reconstruction(points, faces, seconds, cpu_seconds, figures_of(returned))
 
 
-def cut_down(dense: Reconstruction, vertices: int) -> Reconstruction:
+def cut_down(
+    dense: Reconstruction, vertices: int, attempts: int = DECIMATION_ATTEMPTS
+) -> Reconstruction:
     """Decimate a mesh by quadrics to a count; one that has fewer vertices stays as it is.
 
-    The seconds are those of the mesh and of the first decimation, which is all a user would do.
+    attempts: after the first, to meet the count more exactly. The seconds are those of the mesh and of the first decimation, which is all a user would do.
     """
     if len(np.unique(dense.faces)) <= vertices:
         return dense
     start, cpu_start = time.perf_counter(), time.process_time()
     document = _decimated(dense, 2 * vertices - 4)
     seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu_start
-    points, faces = _bring_to_count(dense, arrays_of(document), vertices)
+    points, faces = _bring_to_count(dense, arrays_of(document), vertices, attempts)
     return Reconstruction(
         points, faces, dense.seconds + seconds, dense.cpu_seconds + cpu_seconds, dense.returned
     )
@@ -123,7 +133,7 @@ def _decimated(dense: Reconstruction, faces: int) -> pymeshlab.MeshSet:
 
 
 def _bring_to_count(
-    dense: Reconstruction, best: tuple[Points, Faces], vertices: int
+    dense: Reconstruction, best: tuple[Points, Faces], vertices: int, attempts: int
 ) -> tuple[Points, Faces]:
     """Correct the face target until the vertex count is as near to the target as it gets.
 
@@ -132,7 +142,7 @@ def _bring_to_count(
     """
     target = 2 * vertices - 4
     count = len(best[0])
-    for _ in range(DECIMATION_ATTEMPTS):
+    for _ in range(attempts):
         excess = count - vertices
         if excess == 0:
             break
@@ -158,20 +168,20 @@ def neural_mesh(document: pymeshlab.MeshSet, task: Task) -> dict[str, Any] | Non
     return returned
 
 
-def poisson(document: pymeshlab.MeshSet, task: Task) -> None:
+def poisson(document: pymeshlab.MeshSet, task: Task, depth: int = POISSON_DEPTH) -> None:
     """Screened Poisson with the normals that the layer has."""
-    document.generate_surface_reconstruction_screened_poisson(
-        depth=POISSON_DEPTH, threads=task.threads
-    )
+    document.generate_surface_reconstruction_screened_poisson(depth=depth, threads=task.threads)
 
 
-def estimate_normals(document: pymeshlab.MeshSet, _: Task | None = None) -> None:
+def estimate_normals(
+    document: pymeshlab.MeshSet, _: Task | None = None, neighbours: int = NORMAL_NEIGHBOURS
+) -> None:
     """Estimate the current layer's normals, as well as a user would who knows the filter.
 
     The filter makes neighbouring normals agree but leaves all of them outward or all inward by
     chance: whoever sees an inside-out surface flips them, so this does too.
     """
-    document.compute_normal_for_point_clouds(k=NORMAL_NEIGHBOURS)
+    document.compute_normal_for_point_clouds(k=neighbours)
     mesh = document.current_mesh()
     points, normals = mesh.vertex_matrix(), mesh.vertex_normal_matrix()
     if np.sum((points - points.mean(axis=0)) * normals) >= 0:
@@ -181,8 +191,10 @@ def estimate_normals(document: pymeshlab.MeshSet, _: Task | None = None) -> None
     document.add_mesh(flipped)
 
 
-def remove_outliers(document: pymeshlab.MeshSet, _: Task) -> None:
-    """MeshLab's own outlier removal."""
+def remove_known_outliers(document: pymeshlab.MeshSet, task: Task) -> None:
+    """MeshLab's own outlier removal, where the points are known to hold some."""
+    if not task.outliers:
+        return
     document.compute_selection_point_cloud_outliers(propthreshold=OUTLIER_PROBABILITY)
     document.meshing_remove_selected_vertices()
 
@@ -259,6 +271,25 @@ METHODS: dict[str, Method] = {
     ),
 }
 
+
+def alternatives(values: Sequence[int]) -> str:
+    """The values as a sentence has them: 7, 8 or 9."""
+    *first, last = values
+    return f"{', '.join(map(str, first))} or {last}"
+
+
+def poisson_with(neighbours: int, depth: int) -> Method:
+    """Poisson for one connected surface, with normals estimated from so many neighbours."""
+    steps = (
+        remove_known_outliers,
+        partial(estimate_normals, neighbours=neighbours),
+        partial(poisson, depth=depth),
+        keep_largest_component,
+    )
+    setting = f"{neighbours} neighbours, depth {depth}"
+    return Method(setting, METHODS["poisson"].name, setting, steps)
+
+
 # The rows of the quality table: the same filters, told apart by where normals come from.
 TABLE_METHODS: dict[str, Method] = {
     "ours": METHODS["neural-mesh"],
@@ -267,20 +298,19 @@ TABLE_METHODS: dict[str, Method] = {
         about="the same without the closing surface fit",
         parameters={"surfacefit": False},
     ),
-    "poisson-estimated": replace(
-        METHODS["poisson"],
-        about=f"depth {POISSON_DEPTH}, normals estimated from {NORMAL_NEIGHBOURS} neighbours",
-        steps=(estimate_normals, poisson),
-        needs_normals=False,
-    ),
     "poisson-true": replace(
         METHODS["poisson"], about=f"depth {POISSON_DEPTH}, the true normals", steps=(poisson,)
     ),
-    "poisson-cleaned": replace(
-        METHODS["poisson"],
-        about="as estimated, after MeshLab's outlier removal, largest component kept",
-        steps=(remove_outliers, estimate_normals, poisson, keep_largest_component),
-        needs_normals=False,
+    "poisson-best": Method(
+        "Poisson at its best",
+        METHODS["poisson"].name,
+        f"normals from {alternatives(BEST_NEIGHBOURS)} neighbours, depth {alternatives(BEST_DEPTHS)}: what is "
+        "best for each input; outliers removed where there are some, largest part kept",
+        settings=tuple(
+            poisson_with(neighbours, depth)
+            for neighbours in BEST_NEIGHBOURS
+            for depth in BEST_DEPTHS
+        ),
     ),
     "ball-pivoting": METHODS["ball-pivoting"],
 }

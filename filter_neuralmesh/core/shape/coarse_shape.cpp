@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/mesh/enumeration.h"
 #include "core/mesh/manifold_mesh.h"
@@ -20,9 +21,17 @@
 namespace neuralmesh {
 namespace {
 
-/// Cells per axis of the first grid and of the last.
+/// Cells per axis of the first grid, of the one that is usually the last, and of the last. The usual
+/// one costs a fifth of what growth does, and is spared where nothing speaks for it; the last costs
+/// a third, and is made where all does.
 constexpr int firstCells = 32;
-constexpr int lastCells = 128;
+constexpr int usualCells = 128;
+constexpr int lastCells = 256;
+/// A surface that explains all points but so many says all that they do. Holes that are narrower
+/// than two cells are filled, with their walls inside.
+constexpr double mostUnexplained = 0.005;
+/// On the last grid the points are at most so many cells apart: fewer do not fill its surface.
+constexpr double widestSpacing = 0.9;
 
 /// Room between the points and the border of the grid, in extents of the points.
 constexpr double margin = 0.15;
@@ -30,15 +39,27 @@ constexpr double margin = 0.15;
 /// The shortest side of the grid, in its longest: a border nearby would press on the field.
 constexpr double leastSide = 0.75;
 
-/// Rounds of the field on the first grid, and on each finer one, and after the flood.
-constexpr int firstRounds = 20;
-constexpr int finerRounds = 4;
-constexpr int roundsAfterFlood = 3;
-/// All of them, in rounds of the first grid: twice as many cells along each axis take eight times
-/// as long.
-constexpr double workOfAllGrids =
-    firstRounds + roundsAfterFlood + (finerRounds + roundsAfterFlood) * (8 + 64);
-static_assert(lastCells == 4 * firstCells, "Two grids follow the first.");
+/// Rounds of the field before the flood and after it.
+struct Rounds {
+    int before, after;
+};
+/// On the first grid and on each finer one, which starts from what the coarser found.
+constexpr Rounds roundsOf[] = {{20, 3}, {4, 3}, {2, 1}, {2, 2}};
+static_assert(lastCells == firstCells << (std::size(roundsOf) - 1), "Each grid has its rounds.");
+
+/// All of them up to the usual grids, in rounds of the first: twice as many cells along each axis
+/// take eight times as long.
+constexpr double workOfUsualGrids()
+{
+    double work = 0;
+    double cost = 1;
+    for (int grid = 0; firstCells << grid <= usualCells; ++grid) {
+        work += cost * (roundsOf[grid].before + roundsOf[grid].after);
+        cost *= 8;
+    }
+    return work;
+}
+
 /// Binomial smoothings of the sources in the first round of the first grid, of a finer one, and at
 /// the least in the last: wide kernels find the sides of the whole, narrow ones those of its parts.
 /// Where the points are sparse, so many for the squared spacing, in cells: the kernel's variance,
@@ -67,9 +88,10 @@ constexpr float leastLevel = 0.25F;
 
 /// Of the levels at which the shape is read, so many must agree for one that the coarser grid had
 /// already; and for that of an open sheet to be trusted on the first grid, since finer ones tear it
-/// where outliers are near.
+/// where outliers are near. Where all of them agree on two grids, nothing is narrow.
 constexpr int fewestVotes = 3;
 constexpr int clearVotes = 4;
+constexpr int allVotes = ShapeReading::levelCount;
 /// Shares of the area and of the points up to which a surface without votes is believed.
 constexpr double faultless = 0.01;
 
@@ -122,38 +144,35 @@ private:
 
 class ShapeSearch {
 public:
-    ShapeSearch(const std::vector<Point3> &points, std::size_t pointCount, const GridSize &cells,
-                const Progress &progress)
-        : points_(points), pointCount_(static_cast<double>(pointCount)), index_(points),
-          field_(points, cells), progress_(progress)
+    /// For a start of so many vertices.
+    ShapeSearch(const std::vector<Point3> &points, std::size_t pointCount, int vertices,
+                const GridSize &cells, const Progress &progress)
+        : points_(points), pointCount_(static_cast<double>(pointCount)),
+          startFaces_(2.0 * vertices), index_(points), field_(points, cells), progress_(progress)
     {
     }
 
     CoarseShape run()
     {
-        learn(firstRounds, firstSmoothings);
-        ShapeReading reading = read();
-        bool isStable = isSheet_ && reading.votes >= clearVotes;
-        while (!isStable && resolution() < lastCells) {
-            const ShapeReading coarser = std::move(reading);
+        learn(firstSmoothings);
+        Reading reading = read();
+        isStable_ = isSheet_ && reading.shape.votes >= clearVotes;
+        while (!isFineEnough()) {
+            Reading coarser = std::move(reading);
             field_.refine();
-            learn(finerRounds, finerSmoothings);
+            ++grid_;
+            learn(finerSmoothings);
             reading = read();
-            isStable = reading.votes >= fewestVotes && reading.surface.hasShapeOf(coarser.surface);
+            const int votes = reading.shape.votes;
+            const bool isSame = reading.surface().hasShapeOf(coarser.surface());
+            // A grid that bears out what two before it had leaves the start to the coarser surface.
+            const bool isBorneOut = isSame && isStable_;
+            isStable_ = isSame && votes >= fewestVotes;
+            isUnanimous_ = isSame && std::min(votes, coarser.shape.votes) == allVotes;
+            if (isBorneOut || (isLast() && votes < fewestVotes))
+                reading = std::move(coarser);
         }
-        const LevelSurface &s = reading.surface;
-        soup_ = s.soup;
-        const bool isFaultless = support_.farShare < faultless && s.missedShare < faultless;
-        CoarseShape shape;
-        shape.cells = resolution();
-        shape.components = s.components;
-        shape.genus = s.genus;
-        shape.unsupportedShare = support_.farShare;
-        shape.missedShare = s.missedShare;
-        shape.isSheet = isSheet_;
-        shape.isClear = isStable;
-        shape.isTrusted = isStable || isFaultless;
-        return shape;
+        return judge(reading);
     }
 
     const TriangleSoup &soup() const { return soup_; }
@@ -166,20 +185,42 @@ public:
     {
         const double drawn = std::min(pointCount_, static_cast<double>(points_.size()));
         const double spacing = std::sqrt(areaOf(part) / drawn);
-        return trimBorders(part, index_, {supportRadii().near, nearInSpacings * spacing});
+        return trimBorders(part, index_, {supportRadii(cells_).near, nearInSpacings * spacing});
     }
 
 private:
-    int resolution() const { return field_.field().resolution(); }
+    struct Reading {
+        ShapeReading shape;
+        int cells = 0; ///< of the grid, per axis
 
-    void learn(int rounds, int smoothings)
+        const LevelSurface &surface() const { return shape.surface(fewestVotes); }
+    };
+
+    int resolution() const { return field_.field().resolution(); }
+    bool isLast() const { return resolution() == lastCells; }
+
+    /// A start of more faces than the grid has cells on the surface can hold handles that fall
+    /// between its nodes.
+    bool isFineEnough() const
     {
+        if (isLast() || (isSheet_ && isStable_))
+            return true;
+        if (resolution() < usualCells)
+            return isStable_ && unexplained_ <= mostUnexplained;
+        return isUnanimous_ ||
+               startFaces_ <= pointCount_ * std::pow(spacingInGrid_ * resolution(), 2) ||
+               lastCells * spacingInGrid_ > widestSpacing;
+    }
+
+    void learn(int smoothings)
+    {
+        const Rounds &rounds = roundsOf[grid_];
         const int last =
             std::max(leastSmoothings,
                      static_cast<int>(std::lround(smoothingsOfSpacing * spacing() * spacing())));
         const int first = std::max(smoothings, last);
-        for (int round = 0; round < rounds; ++round)
-            improve(first + (last - first) * round / (rounds - 1));
+        for (int round = 0; round < rounds.before; ++round)
+            improve(first + (last - first) * round / (rounds.before - 1));
         const OutsideFlood flood(insideness(), points_,
                                  std::max(crustOfCells, crustOfSpacings * spacing()));
         isSheet_ = isSheet_ || (flood.doubledShare() > shareOfSheet &&
@@ -187,13 +228,13 @@ private:
         if (isSheet_)
             return;
         field_.holdOutside(flood.outside());
-        for (int round = 0; round < roundsAfterFlood; ++round)
+        for (int round = 0; round < rounds.after; ++round)
             improve(last);
     }
 
     void improve(int smoothings)
     {
-        report(progress_, work_ / workOfAllGrids, "Learning the shape");
+        report(progress_, std::min(1.0, work_ / workOfUsualGrids()), "Learning the shape");
         field_.improve(smoothings);
         work_ += std::pow(resolution() / firstCells, 3);
     }
@@ -210,32 +251,61 @@ private:
         return inside;
     }
 
-    ShapeReading read()
+    Reading read()
     {
-        ShapeReading reading =
-            readShape(insideness(), points_, supportRadii().far * resolution(), fewestVotes);
-        spacingInGrid_ = std::sqrt(areaOf(reading.surface.soup) / pointCount_);
-        support_ = measureSupport(reading.surface.soup, index_, supportRadii());
+        Reading reading{
+            readShape(insideness(), points_, supportRadii(resolution()).far * resolution()),
+            resolution()};
+        spacingInGrid_ = std::sqrt(areaOf(reading.surface().soup) / pointCount_);
+        unexplained_ = reading.shape.unexplainedShare;
         return reading;
     }
 
-    /// Between noise and the level set's own error on one side, and membranes on the other.
-    SupportRadii supportRadii() const
+    CoarseShape judge(const Reading &reading)
     {
-        return {std::max(nearInCells, nearInSpacings * spacing()) / resolution(),
-                std::max(farInCells, farInSpacings * spacing()) / resolution()};
+        // Two parts that nearly touch are one on some levels of each grid: without a grid that
+        // bears it out, a shape of more parts or handles takes more votes.
+        const bool isBorneOut = isStable_ || reading.cells == lastCells;
+        const LevelSurface &s = reading.shape.surface(isBorneOut ? fewestVotes : clearVotes);
+        cells_ = reading.cells;
+        soup_ = s.soup;
+        support_ = measureSupport(soup_, index_, supportRadii(cells_));
+        const bool isFaultless = support_.farShare < faultless && s.missedShare < faultless;
+        CoarseShape shape;
+        shape.cells = cells_;
+        shape.components = s.components;
+        shape.genus = s.genus;
+        shape.unsupportedShare = support_.farShare;
+        shape.missedShare = s.missedShare;
+        shape.isSheet = isSheet_;
+        shape.isClear = isStable_ || reading.shape.votes == allVotes;
+        shape.isTrusted = shape.isClear || isFaultless;
+        return shape;
+    }
+
+    /// Between noise and the level set's own error on one side, and membranes on the other.
+    SupportRadii supportRadii(int cells) const
+    {
+        return {std::max(nearInCells / cells, nearInSpacings * spacingInGrid_),
+                std::max(farInCells / cells, farInSpacings * spacingInGrid_)};
     }
 
     const std::vector<Point3> &points_;
     double pointCount_;
+    double startFaces_;
     PointIndex index_;
     WindingField field_;
+    std::size_t grid_ = 0; ///< number of it, from the first
     const Progress &progress_;
     double work_ = 0; ///< that is done, in rounds of the first grid
-    TriangleSoup soup_;
-    SurfaceSupport support_; ///< of the surface that was read last
     double spacingInGrid_ = 0;
     bool isSheet_ = false;
+    bool isStable_ = false;    ///< whether the last two grids have one shape
+    bool isUnanimous_ = false; ///< and all their levels, too
+    double unexplained_ = 1;   ///< share of the points, on the last grid
+    TriangleSoup soup_;        ///< of the reading that was chosen
+    SurfaceSupport support_;
+    int cells_ = 0;
 };
 
 /// Takes out the components whose area is less than that, but for the largest: crumbs of a membrane
@@ -268,7 +338,7 @@ CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
     inGrid.reserve(points.size());
     for (const Point3 &p : points)
         inGrid.push_back(frame.toGrid(p));
-    ShapeSearch search(inGrid, pointCount, frame.size(), progress);
+    ShapeSearch search(inGrid, pointCount, vertices, frame.size(), progress);
     CoarseShape shape = search.run();
     if (search.soup().faces.empty())
         return {};

@@ -23,7 +23,7 @@ struct CoarseShape {
     double missedShare = 0;
     /// Whether the points are of an open sheet, which a membrane closes.
     bool isSheet = false;
-    /// Whether the shape persists over levels and grids.
+    /// Whether the shape persists over grids, or over all levels of the finest.
     bool isClear = false;
     /// Whether it is clear, or nothing speaks against it.
     bool isTrusted = false;
@@ -35,8 +35,8 @@ struct CoarseShape {
 /// `pointCount` distinct points.
 ///
 /// The sides are those of a winding field (winding_field.h), corrected by what a flood from outside
-/// reaches (outside_flood.h). The grid is refined until the shape no longer changes; its level set
-/// is decimated. Parts that hardly any point supports are left out.
+/// reaches (outside_flood.h). The grid is refined until the shape no longer changes and the grid is
+/// as fine as the mesh is to be; its level set is decimated. Parts that hardly any point supports are left out.
 ///
 /// Tells `progress` the share of the work, as if the finest grid were needed, and throws Cancelled
 /// where it says so.

@@ -125,6 +125,16 @@ LevelSurface judge(TriangleSoup soup, const std::vector<Point3> &points, int rea
     return surface;
 }
 
+double unexplainedShare(const Grid &inside, const std::vector<Point3> &points)
+{
+    const auto isFar = [&](const Point3 &p) {
+        const GridPlace place = placeInGrid(inside, p);
+        return std::abs(interpolate(inside, place)) > gradientAt(inside, place).Norm();
+    };
+    const auto far = std::count_if(points.begin(), points.end(), isFar);
+    return static_cast<double>(far) / static_cast<double>(points.size());
+}
+
 bool isSimpler(const LevelSurface &a, const LevelSurface &b)
 {
     return a.components + a.genus < b.components + b.genus;
@@ -132,29 +142,29 @@ bool isSimpler(const LevelSurface &a, const LevelSurface &b)
 
 } // namespace
 
-ShapeReading readShape(const Grid &inside, const std::vector<Point3> &points, double far,
-                       int fewestVotes)
+ShapeReading readShape(const Grid &inside, const std::vector<Point3> &points, double far)
 {
     const std::vector<std::uint32_t> cells = cellsBetween(inside, lowestLevel, highestLevel);
     PartFinder finder(inside);
-    std::vector<LevelSurface> surfaces;
+    ShapeReading reading;
+    std::vector<LevelSurface> &surfaces = reading.surfaces;
     for (const float level : levels)
         surfaces.push_back(judge(marchTetrahedra(inside, level, cells), points,
                                  static_cast<int>(std::lround(far)), finder));
-    auto best = surfaces.begin();
-    int votes = 0;
-    for (auto surface = surfaces.begin(); surface != surfaces.end(); ++surface) {
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const auto agreeing = static_cast<int>(
-            std::count_if(surfaces.begin(), surfaces.end(),
-                          [&](const LevelSurface &other) { return other.hasShapeOf(*surface); }));
-        if (agreeing > votes) {
-            votes = agreeing;
-            best = surface;
+            std::count_if(surfaces.begin(), surfaces.end(), [&](const LevelSurface &other) {
+                return other.hasShapeOf(surfaces[i]);
+            }));
+        if (agreeing > reading.votes) {
+            reading.votes = agreeing;
+            reading.mostFrequent = i;
         }
+        if (isSimpler(surfaces[i], surfaces[reading.simplest]))
+            reading.simplest = i;
     }
-    if (votes < fewestVotes)
-        best = std::min_element(surfaces.begin(), surfaces.end(), isSimpler);
-    return {std::move(*best), votes};
+    reading.unexplainedShare = unexplainedShare(inside, points);
+    return reading;
 }
 
 } // namespace neuralmesh

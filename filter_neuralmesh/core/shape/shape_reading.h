@@ -2,6 +2,7 @@
 // What shape a field on a grid says that there is.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/shape/grid.h"
@@ -29,17 +30,25 @@ struct ShapeReading {
     /// Levels at which the shape is read.
     static constexpr int levelCount = 5;
     /// A part of the surface counts where it has at least so many points for its own.
-    static constexpr double leastPoints = 12;
+    static constexpr double leastPoints = 24;
 
-    /// With the shape of most levels, from the level nearest to 0 that has it; where fewer than
-    /// `fewestVotes` agree, the simplest.
-    LevelSurface surface;
-    int votes = 0;
+    std::vector<LevelSurface> surfaces; ///< that nearest to the points first
+    std::size_t mostFrequent = 0;       ///< the first of those whose shape most levels have
+    std::size_t simplest = 0;           ///< the first of those of fewest parts and handles
+    int votes = 0;                      ///< levels with the most frequent shape
+    /// Share of the points that lie more than a cell from level 0, by what the field is there and
+    /// its slope (Taubin 1991): of narrow holes that are filled, gaps that are bridged, and noise.
+    double unexplainedShare = 0;
+
+    /// With the shape of most levels; where fewer than so many agree, the simplest.
+    const LevelSurface &surface(int fewestVotes) const
+    {
+        return surfaces[votes >= fewestVotes ? mostFrequent : simplest];
+    }
 };
 
 /// `inside` is positive inside, at most 1 and not positive at the border of the grid. A point is
 /// far from the surface from `far` cells on.
-ShapeReading readShape(const Grid &inside, const std::vector<Point3> &points, double far,
-                       int fewestVotes);
+ShapeReading readShape(const Grid &inside, const std::vector<Point3> &points, double far);
 
 } // namespace neuralmesh

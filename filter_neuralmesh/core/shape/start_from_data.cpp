@@ -16,7 +16,7 @@ namespace {
 constexpr double shareOfTarget = 0.5;
 
 /// Samples that it is made of; of fewer points, so many for each, which leaves out one in fifty.
-constexpr std::size_t mostSamples = 64000;
+constexpr std::size_t mostSamples = 128000;
 constexpr std::size_t samplesPerPoint = 4;
 
 } // namespace

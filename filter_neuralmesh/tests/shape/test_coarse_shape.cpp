@@ -293,6 +293,37 @@ TEST(CoarseShape, says_where_the_points_leave_it_open)
     }
 }
 
+TEST(CoarseShape, is_of_a_grid_as_fine_as_the_start)
+{
+    // A bar with two slits through it, 2.5 and 1.2 cells wide on the grid of 128, which has 4000
+    // cells on the surface.
+    const auto isSolid = [](int x, int y, int z) {
+        const bool isSlit = x == 20 || x == 21 || x == 60;
+        return y < 8 && z < 8 && !(isSlit && y >= 2 && y <= 5);
+    };
+    const test::Points bar = test::latticePoints(40000, 80, isSolid, 1);
+    for (const int faces : {3800, 8000}) {
+        NeuralMesh mesh;
+        const CoarseShape shape = findCoarseShape(mesh, bar, bar.size(), faces / 2, noHole);
+        EXPECT_EQ(shape.components, 1);
+        EXPECT_EQ(shape.genus, faces < 4000 ? 1 : 2) << faces;
+    }
+}
+
+TEST(CoarseShape, is_of_a_finer_grid_where_it_leaves_points_unexplained)
+{
+    // A plate with four square holes, 1.9 cells wide on the grid of 64.
+    const auto isSolid = [](int x, int y, int z) {
+        const auto isIn = [](int i) { return i >= 10 && (i - 10) % 15 < 3; };
+        return z < 8 && x < 40 && y < 40 && !(isIn(x) && isIn(y));
+    };
+    NeuralMesh mesh;
+    const CoarseShape shape = shapeOf(test::latticePoints(20000, 40, isSolid, 1), mesh);
+    EXPECT_TRUE(shape.isTrusted);
+    EXPECT_EQ(shape.components, 1);
+    EXPECT_EQ(shape.genus, 4);
+}
+
 TEST(CoarseShape, of_a_single_place_is_none)
 {
     NeuralMesh mesh;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/shape/inputs_for_tests.h"
@@ -40,13 +41,13 @@ TEST(ShapeReading, all_levels_agree_on_a_torus_in_a_flat_box)
         const Point3 q = p - Point3(0.5, 0.5, 0.25);
         return 4 * (0.12 - std::hypot(std::hypot(q.X(), q.Y()) - 0.3, q.Z()));
     });
-    const ShapeReading reading = readShape(torus, pointsAt(torus), far, fewestVotes);
+    const ShapeReading reading = readShape(torus, pointsAt(torus), far);
     EXPECT_EQ(reading.votes, ShapeReading::levelCount);
-    EXPECT_EQ(reading.surface.components, 1);
-    EXPECT_EQ(reading.surface.genus, 1);
-    EXPECT_EQ(reading.surface.missedShare, 0);
+    EXPECT_EQ(reading.surface(fewestVotes).components, 1);
+    EXPECT_EQ(reading.surface(fewestVotes).genus, 1);
+    EXPECT_EQ(reading.surface(fewestVotes).missedShare, 0);
     // Of the level of the points, the first that has the shape.
-    EXPECT_EQ(reading.surface.soup.points, pointsAt(torus));
+    EXPECT_EQ(reading.surface(fewestVotes).soup.points, pointsAt(torus));
 }
 
 TEST(ShapeReading, takes_the_shape_of_most_levels_not_that_at_the_points)
@@ -63,10 +64,10 @@ TEST(ShapeReading, takes_the_shape_of_most_levels_not_that_at_the_points)
             return -0.025;
         return q.X() > 0 && std::abs(q.Y()) < 0.08 ? 0.025 : 1.0;
     });
-    const ShapeReading reading = readShape(ring, pointsAt(ring, 0.1F), far, fewestVotes);
+    const ShapeReading reading = readShape(ring, pointsAt(ring, 0.1F), far);
     EXPECT_EQ(reading.votes, ShapeReading::levelCount - 1);
-    EXPECT_EQ(reading.surface.components, 1);
-    EXPECT_EQ(reading.surface.genus, 0);
+    EXPECT_EQ(reading.surface(fewestVotes).components, 1);
+    EXPECT_EQ(reading.surface(fewestVotes).genus, 0);
 }
 
 TEST(ShapeReading, takes_the_simplest_shape_where_hardly_any_levels_agree)
@@ -80,11 +81,11 @@ TEST(ShapeReading, takes_the_simplest_shape_where_hardly_any_levels_agree)
         const int tenth = static_cast<int>(p.X() * 10); // odd ones are blocks
         return tenth % 2 == 1 ? 1.0 : heights[tenth / 2 - 1];
     });
-    const ShapeReading reading = readShape(blocks, pointsAt(blocks, 0.1F), far, fewestVotes);
+    const ShapeReading reading = readShape(blocks, pointsAt(blocks, 0.1F), far);
     EXPECT_EQ(reading.votes, 1);
-    EXPECT_EQ(reading.surface.components, 1);
+    EXPECT_EQ(reading.surface(fewestVotes).components, 1);
     // Without a least number of votes, the first level's shape has as many as the others.
-    EXPECT_EQ(readShape(blocks, pointsAt(blocks, 0.1F), far, 1).surface.components, 3);
+    EXPECT_EQ(reading.surface(1).components, 3);
 }
 
 TEST(ShapeReading, leaves_out_parts_that_hold_hardly_any_points)
@@ -94,15 +95,16 @@ TEST(ShapeReading, leaves_out_parts_that_hold_hardly_any_points)
     const Grid both = larger(first, second);
     test::Points points = pointsAt(first);
     const test::Points others = pointsAt(second);
-    points.insert(points.end(), others.begin(), others.begin() + 11);
-    const ShapeReading one = readShape(both, points, far, fewestVotes);
+    points.insert(points.end(), others.begin(),
+                  others.begin() + static_cast<std::ptrdiff_t>(ShapeReading::leastPoints) - 1);
+    const ShapeReading one = readShape(both, points, far);
     EXPECT_EQ(one.votes, ShapeReading::levelCount);
-    EXPECT_EQ(one.surface.components, 1);
-    for (const Corners &face : one.surface.soup.faces)
-        EXPECT_LT(one.surface.soup.points[face[0]].X(), 0.5);
+    EXPECT_EQ(one.surface(fewestVotes).components, 1);
+    for (const Corners &face : one.surface(fewestVotes).soup.faces)
+        EXPECT_LT(one.surface(fewestVotes).soup.points[face[0]].X(), 0.5);
 
-    points.push_back(others.back()); // the twelfth
-    EXPECT_EQ(readShape(both, points, far, fewestVotes).surface.components, 2);
+    points.push_back(others.back());
+    EXPECT_EQ(readShape(both, points, far).surface(fewestVotes).components, 2);
 }
 
 TEST(ShapeReading, counts_the_points_that_are_far_from_the_surface)
@@ -114,20 +116,32 @@ TEST(ShapeReading, counts_the_points_that_are_far_from_the_surface)
     // near; one cell beyond the sphere, all are.
     for (const Point3 &p : pointsAt(ball({0.5, 0.5, 0.5}, 0.2 + 1.0 / 32)))
         points.push_back(p);
-    EXPECT_EQ(readShape(one, points, far, fewestVotes).surface.missedShare, 0);
+    EXPECT_EQ(readShape(one, points, far).surface(fewestVotes).missedShare, 0);
     points.resize(near);
     for (std::size_t i = 0; i < near; ++i)
         points.emplace_back(0.5, 0.5, 0.5);
-    EXPECT_EQ(readShape(one, points, far, fewestVotes).surface.missedShare, 0.5);
+    EXPECT_EQ(readShape(one, points, far).surface(fewestVotes).missedShare, 0.5);
+}
+
+TEST(ShapeReading, tells_the_share_of_the_points_further_than_a_cell)
+{
+    // A distance is its own first-order approximation.
+    const Grid one = test::sampled(test::cube(32), [](const Point3 &p) {
+        return std::clamp(0.3 - (p - Point3(0.5, 0.5, 0.5)).Norm(), -1.0, 1.0);
+    });
+    test::Points points;
+    for (const double cells : {0.0, 0.9, -0.9, 1.1, -1.1})
+        points.emplace_back(0.5, 0.5, 0.8 + cells / 32);
+    EXPECT_DOUBLE_EQ(readShape(one, points, far).unexplainedShare, 0.4);
 }
 
 TEST(ShapeReading, of_a_field_without_an_inside_has_no_parts)
 {
     const Grid nowhere(test::cube(8), -1);
-    const ShapeReading reading = readShape(nowhere, {{0.5, 0.5, 0.5}}, far, fewestVotes);
-    EXPECT_EQ(reading.surface.components, 0);
-    EXPECT_TRUE(reading.surface.soup.faces.empty());
-    EXPECT_EQ(reading.surface.missedShare, 1);
+    const ShapeReading reading = readShape(nowhere, {{0.5, 0.5, 0.5}}, far);
+    EXPECT_EQ(reading.surface(fewestVotes).components, 0);
+    EXPECT_TRUE(reading.surface(fewestVotes).soup.faces.empty());
+    EXPECT_EQ(reading.surface(fewestVotes).missedShare, 1);
 }
 
 } // namespace

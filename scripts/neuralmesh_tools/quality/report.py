@@ -18,7 +18,7 @@ HEADINGS = (
     "method",
     "V",
     "RMS to mesh %",
-    "÷ Poisson est.",
+    "÷ Poisson best",
     "÷ Poisson true",
     "RMS to surface %",
     "max to mesh %",
@@ -37,7 +37,7 @@ HEADINGS = (
 
 LEGEND = """Distances are in per cent of the bounding box diagonal of the clean surface, "to mesh"
 from that surface, "to surface" from the result. The two ÷ columns divide the RMS to mesh by that of
-screened Poisson with estimated and with true normals. self-int.: faces that intersect another;
+screened Poisson at its best and with true normals. self-int.: faces that intersect another;
 boundary, non-man.: edges; comp.: components; 1 % angle: the angle that the worst 1 % of faces
 stay under. A genus of – is undefined (open or non-manifold). s: all the method's seconds;
 * marks a row from the cache, its seconds measured in an earlier run."""
@@ -62,7 +62,7 @@ def _cells(row: Row, by_method: dict[str, Row]) -> list[str]:
         row.method,
         f"{v['vertices']:,}",
         f"{v['rms_to_mesh']:.4f}",
-        ratio_text(row, by_method.get("poisson-estimated")),
+        ratio_text(row, by_method.get("poisson-best")),
         ratio_text(row, by_method.get("poisson-true")),
         f"{v['rms_to_surface']:.4f}",
         f"{v['max_to_mesh']:.3f}",

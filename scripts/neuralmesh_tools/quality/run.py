@@ -27,7 +27,7 @@ from neuralmesh_tools.isolation import IsolatedProcess
 from neuralmesh_tools.machine import version_of
 from neuralmesh_tools.methods import PEERS, TABLE_METHODS, Task
 from neuralmesh_tools.project import cache_root
-from neuralmesh_tools.quality import inputs
+from neuralmesh_tools.quality import inputs, row
 from neuralmesh_tools.quality.row import Job
 
 
@@ -123,12 +123,15 @@ def _run(case: inputs.Case, variant: Variant, group: Group, settings: Settings) 
         settings.keep.mkdir(parents=True, exist_ok=True)
         name = f"{group.model}-{group.condition}-{group.seed}-{variant.label}.ply"
         mesh = settings.keep.resolve() / name
-    task = Task(group.vertices, settings.threads, parameters=options)
-    job = Job(TABLE_METHODS[variant.name], case, task, plugin, mesh)
+    outliers = inputs.CONDITIONS[group.condition].outliers > 0
+    task = Task(group.vertices, settings.threads, outliers=outliers, parameters=options)
+    method = TABLE_METHODS[variant.name]
+    job = Job(method, case, task, plugin, mesh)
+    timeout = settings.timeout * max(1, len(method.settings))
     started = time.strftime("%Y-%m-%d %H:%M")
     with IsolatedProcess({"OMP_NUM_THREADS": str(settings.threads)}) as process:
         name = "neuralmesh_tools.quality.row:measure_row"
-        outcome = process.call(name, job, timeout=settings.timeout)
+        outcome = process.call(name, job, timeout=timeout)
     if outcome.ok:
         return {**outcome.value, "measured": started}
     values = {"failure": outcome.failure, "measured": started}
@@ -153,7 +156,7 @@ def _cache_path(fingerprint: str, variant: Variant, vertices: int, threads: int)
 def _harness_version() -> str:
     """A hash of PyMeshLab's version and of the code that a peer's row depends on."""
     digest = hashlib.sha256(version_of("pymeshlab").encode())
-    for module in (geometry, methods, metrics):
+    for module in (geometry, methods, metrics, row):
         tree = ast.parse(Path(str(module.__file__)).read_text(encoding="utf-8"))
         tree.body = [
             node for node in tree.body if not isinstance(node, ast.Import | ast.ImportFrom)

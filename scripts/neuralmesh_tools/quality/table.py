@@ -17,13 +17,13 @@ from neuralmesh_tools.quality import bounds, models, report
 from neuralmesh_tools.quality.inputs import CONDITIONS
 from neuralmesh_tools.quality.run import Group, Row, Settings, Variant, run_group
 
-ONLY_IF_NAMED = ("ours-no-fit", "poisson-cleaned")
+ONLY_IF_NAMED = ("ours-no-fit",)
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add what only the table has: which rows, how they are run, what is kept of them."""
     quality = parser.add_argument_group("quality")
-    text = f"comma separated, or all; of {listed(models.MODELS)} (default: the first eight)"
+    text = f"comma separated, or all; of {listed(models.MODELS)} (default: the first {len(models.TABLE_MODELS)})"
     quality.add_argument("--models", default=",".join(models.TABLE_MODELS), help=text)
     text = "comma separated (default: all)"
     quality.add_argument("--conditions", help=text)
@@ -80,8 +80,9 @@ def run_table(options: argparse.Namespace) -> int:
     rows: list[Row] = []
     print(report.introduction(options.models, [variant.name for variant in wanted]), flush=True)
     for model in options.models:
-        vertices = options.vertices or models.MODELS[model].vertices
         for condition in options.conditions:
+            of_condition = CONDITIONS[condition].vertices
+            vertices = options.vertices or of_condition or models.MODELS[model].vertices
             for seed in options.seeds:
                 rows += _run_and_print(Group(model, condition, seed, vertices), wanted, options)
     if options.summary:
@@ -114,9 +115,6 @@ def _run_and_print(group: Group, wanted: list[Variant], options: argparse.Namesp
     settings = Settings(
         options.plugin.resolve(), options.timeout, options.threads, options.fresh, options.keep
     )
-    # A user gives Poisson the help that the input calls for.
-    if CONDITIONS[group.condition].outliers > 0 and not options.methods:
-        wanted = [*wanted, Variant("poisson-cleaned")]
     try:
         rows = list(run_group(group, wanted, settings))
     except datasets.Unavailable as problem:
