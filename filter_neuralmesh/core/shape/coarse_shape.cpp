@@ -44,7 +44,7 @@ struct Rounds {
     int before, after;
 };
 /// On the first grid and on each finer one, which starts from what the coarser found.
-constexpr Rounds roundsOf[] = {{20, 3}, {4, 3}, {2, 1}, {2, 2}};
+constexpr Rounds roundsOf[] = {{20, 3}, {4, 3}, {2, 2}, {2, 2}};
 static_assert(lastCells == firstCells << (std::size(roundsOf) - 1), "Each grid has its rounds.");
 
 /// All of them up to the usual grids, in rounds of the first: twice as many cells along each axis
@@ -165,12 +165,14 @@ public:
             reading = read();
             const int votes = reading.shape.votes;
             const bool isSame = reading.surface().hasShapeOf(coarser.surface());
-            // A grid that bears out what two before it had leaves the start to the coarser surface.
-            const bool isBorneOut = isSame && isStable_;
-            isStable_ = isSame && votes >= fewestVotes;
             isUnanimous_ = isSame && std::min(votes, coarser.shape.votes) == allVotes;
-            if (isBorneOut || (isLast() && votes < fewestVotes))
+            // What two grids have takes more to be overruled; a grid that bears it out leaves the
+            // start to the coarser surface.
+            const int needed = isLast() || !isStable_ ? fewestVotes : clearVotes;
+            if (isStable_ ? isSame || votes < needed : isLast() && votes < needed)
                 reading = std::move(coarser);
+            else
+                isStable_ = isSame && votes >= fewestVotes;
         }
         return judge(reading);
     }
@@ -263,10 +265,7 @@ private:
 
     CoarseShape judge(const Reading &reading)
     {
-        // Two parts that nearly touch are one on some levels of each grid: without a grid that
-        // bears it out, a shape of more parts or handles takes more votes.
-        const bool isBorneOut = isStable_ || reading.cells == lastCells;
-        const LevelSurface &s = reading.shape.surface(isBorneOut ? fewestVotes : clearVotes);
+        const LevelSurface &s = reading.surface();
         cells_ = reading.cells;
         soup_ = s.soup;
         support_ = measureSupport(soup_, index_, supportRadii(cells_));
