@@ -130,7 +130,6 @@ public:
         report_.reachedTarget = isComplete();
         report_.keptIdle = isCrowded_;
         report_.changes.websRemoved = network_.websRemoved();
-        report_.changes.tearsMended = network_.tearsMended();
         report_.changes.holesFilled += closing_.holesFilled();
         report_.changes.sheetsDoubled = closing_.sheetsDoubled();
         return report_;

@@ -42,7 +42,6 @@ std::string topologyChanges(const neuralmesh::TopologyChanges &changes)
     };
     add(changes.gaps, "gap in the data", "gaps in the data", " left open");
     add(changes.websRemoved, "web", "webs", " between limbs removed");
-    add(changes.tearsMended, "torn limb", "torn limbs", " mended");
     add(changes.holesFilled, "hole", "holes", " filled");
     add(changes.sheetsDoubled, "open sheet", "open sheets", " closed by a second one behind");
     std::string text;

@@ -156,7 +156,7 @@ inline void addSamplesOf(Scene &scene, const NeuralMesh &mesh)
     });
 }
 
-/// A torus of 1,000 vertices, well away: webs and tears are looked for in networks of that size.
+/// A torus of 1,000 vertices, well away: webs are looked for in networks of that size.
 inline void addTorusAside(Scene &scene)
 {
     NeuralMesh torus;
@@ -167,13 +167,9 @@ inline void addTorusAside(Scene &scene)
     addSamplesOf(scene, torus);
 }
 
-/// What a network says of itself.
-struct Repairs {
-    int webs, tears;
-};
-
 /// Step 6 on the scene's network, in which every vertex has won. `mesh` is what it makes of it.
-inline Repairs collapseInactive(NeuralMesh &mesh, const Scene &scene, bool limbsAreWhole = false)
+/// Returns how many webs were removed.
+inline int collapseInactive(NeuralMesh &mesh, const Scene &scene)
 {
     makeMesh(mesh, scene.points, scene.faces);
     Box3 bounds;
@@ -182,9 +178,8 @@ inline Repairs collapseInactive(NeuralMesh &mesh, const Scene &scene, bool limbs
     for (const Point3 &p : scene.samples)
         bounds.Add(p);
     GrowingNetwork network(mesh, bounds, GrowthParameters{});
-    network.setLimbsAreWhole(limbsAreWhole);
     network.collapse({}, SampleSupport(bounds, scene.samples));
-    return {network.websRemoved(), network.tearsMended()};
+    return network.websRemoved();
 }
 
 /// How far the furthest place of the mesh is from all samples: of the middles of faces and edges.

@@ -19,7 +19,6 @@
 #include "core/nth_root.h"
 #include "core/topology/hole_filling.h"
 #include "core/topology/sheet_doubling.h"
-#include "core/topology/tear_mending.h"
 #include "core/topology/unsupported_edges.h"
 #include "core/topology/web_removal.h"
 
@@ -36,9 +35,6 @@ constexpr int youngVertices = 500;
 
 /// Vertices from which whole webs are taken out. A coarser network spans everything.
 constexpr int webVertices = 1000;
-
-/// Tears mended at a time: each search costs as much as one for webs.
-constexpr int mostTears = 8;
 
 /// Vertices from which the network tells whether the target space is open: all limbs are found by
 /// then, and webs not yet taken out.
@@ -345,11 +341,8 @@ void GrowingNetwork::collapse(const std::vector<VertexId> &vertices, const Sampl
     fillNotches(mesh_);
     if (!isOpen_ && isClosed(mesh_)) {
         retractWebs(mesh_, support);
-        if (rules_.websAreTakenOut && vertexCount() >= webVertices) {
+        if (rules_.websAreTakenOut && vertexCount() >= webVertices)
             removeWebs(support);
-            if (!limbsAreWhole_)
-                mendTears(support);
-        }
     }
     updateDecay();
 }
@@ -368,15 +361,6 @@ void GrowingNetwork::removeWebs(const SampleSupport &support)
     for (const Refilling &web : findWebs(mesh_, support)) {
         refillDisc(mesh_, web.rim, web.interior, web.triangles);
         ++websRemoved_;
-    }
-}
-
-void GrowingNetwork::mendTears(const SampleSupport &support)
-{
-    for (int tear = 0; tear < mostTears; ++tear) {
-        if (!mendTear(mesh_, support, parameters_.targetVertexCount))
-            return;
-        ++tearsMended_;
     }
 }
 

@@ -36,18 +36,16 @@ public:
     int vertexCount() const { return mesh_.vn; }
     /// Signals counted so far.
     std::uint64_t signals() const { return signals_; }
-    /// Vertices that came so far: by splits, and where a handle was cut.
+    /// Vertices that came so far, by splits.
     std::uint64_t verticesAdded() const { return added_; }
     /// Vertices that went so far: by collapses, and with the webs that were taken out.
     std::uint64_t verticesRemoved() const { return removed_; }
 
     /// Whether all limbs of the target are there, as where the network started from its shape. Then
-    /// it is never young, and torn limbs are not looked for, which takes long where there are many
-    /// handles.
+    /// it is never young.
     void setLimbsAreWhole(bool areWhole) { limbsAreWhole_ = areWhole; }
 
     int websRemoved() const { return websRemoved_; }
-    int tearsMended() const { return tearsMended_; }
 
     /// The vertex nearest to the sample. The hint, any vertex that may be near, such as the one
     /// nearest to the last sample, saves time and changes nothing.
@@ -146,7 +144,6 @@ private:
     bool isInactive(VertexId v) const;
     void judgeOpenness(const SampleSupport &support);
     void removeWebs(const SampleSupport &support);
-    void mendTears(const SampleSupport &support);
     void vertexAdded(VertexId v) override;
     void vertexRemoved(VertexId v) override;
     void enrol(VertexId v);
@@ -166,7 +163,6 @@ private:
     std::uint64_t added_ = 0;
     std::uint64_t removed_ = 0;
     int websRemoved_ = 0;
-    int tearsMended_ = 0;
     bool limbsAreWhole_ = false;
     bool isJudged_ = false; ///< whether isOpen_ is known
     bool isOpen_ = false;

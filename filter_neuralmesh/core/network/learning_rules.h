@@ -32,7 +32,7 @@ struct LearningRules {
     bool youngSplitTwiceAsOften;
 
     /// Step 6. The paper's collapses leave webs. In both forms edges that span a void are flipped
-    /// away; here whole webs are taken out and torn limbs mended, too.
+    /// away; here whole webs are taken out, too.
     bool websAreTakenOut;
 
     /// Step 6. Samples for each vertex that tell where the target space is.

@@ -22,7 +22,6 @@ struct TopologyChanges {
     bool isShapeClear = true; ///< false where levels and grids disagree on the shape that was found
     int gaps = 0;             ///< in the data, at which the starting mesh was opened
     int websRemoved = 0;      ///< faces across a void from one limb to another
-    int tearsMended = 0;      ///< limbs that were cut through
     int holesFilled = 0;      ///< boundaries closed by discs
     int sheetsDoubled = 0;    ///< components closed by a second sheet behind the first
 };

@@ -108,7 +108,7 @@ TEST(GoldenMeshes, as_in_the_paper)
     expectHash(ellipsoid(5000, 0), parameters, "0x2b4d9f746ac08b59");
 }
 
-/// Large enough for webs and tears to be looked for.
+/// Large enough for webs to be looked for.
 TEST(GoldenMeshes, from_noise)
 {
     GrowthParameters parameters = withTarget(1200);

@@ -182,23 +182,6 @@ TEST(GrowingNetwork, never_collapses_below_a_tetrahedron)
     EXPECT_EQ(network.vertexCount(), 4);
 }
 
-TEST(GrowingNetwork, counts_vertices_that_come_apart_from_those_that_go)
-{
-    // A change that cuts a handle adds more vertices than it removes.
-    NeuralMesh mesh;
-    test::makeTorus(mesh, 6, 6);
-    GrowingNetwork network(mesh, boundsOf(mesh), {});
-    network.collapse({8}, supportAtMiddles(mesh));
-    const std::vector<VertexId> loop{24, 25, 26, 27, 28, 29}; // round the tube
-    const std::vector<LoopTriangle> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
-    refillDisc(mesh, cutOpen(mesh, loop), {}, fan);
-    refillDisc(mesh, {loop.rbegin(), loop.rend()}, {}, fan);
-    validate(mesh);
-    EXPECT_EQ(network.verticesRemoved(), 1U);
-    EXPECT_EQ(network.verticesAdded(), 6U);
-    EXPECT_EQ(network.vertexCount(), 36 - 1 + 6);
-}
-
 /// Whether a torus of 1,000 vertices is taken for an open surface when there are samples where x is
 /// above `from` only.
 bool isOpenWithSamplesFrom(Scalar from)

@@ -7,7 +7,6 @@
 
 #include "core/mesh/mesh_checks.h"
 #include "tests/limbs_for_tests.h"
-#include "tests/torn_post_for_tests.h"
 
 namespace neuralmesh {
 namespace {
@@ -88,46 +87,6 @@ TEST(Limbs, a_sample_between_the_feet_does_not_hold_a_web)
         EXPECT_EQ(findDefect(mesh), "");
         EXPECT_LT(test::furthestFromSamples(mesh, scene), onSurface) << stray.X() << stray.Y();
     }
-}
-
-Scene tornPost()
-{
-    NeuralMesh torn;
-    test::makeTornPost(torn);
-    Scene scene;
-    test::addMesh(scene, torn);
-    scene.samples = test::samplesOfPost(true);
-    test::addTorusAside(scene);
-    return scene;
-}
-
-TEST(Limbs, a_torn_post_is_whole_again)
-{
-    NeuralMesh mesh;
-    EXPECT_EQ(test::collapseInactive(mesh, tornPost()).tears, 1);
-    EXPECT_EQ(findDefect(mesh), "");
-    EXPECT_EQ(measureTopology(mesh).components, 2); // the torus is one
-    EXPECT_EQ(measureTopology(mesh).genus, 1);
-    // The wall between the stumps is back all around: between corners of its eight sides, it is
-    // 1 - cos(pi / 8) = 0.08 from the samples. The strand ran up to 0.5 outside.
-    for (int i = 0; i < 8; ++i) {
-        const Scalar angle = M_PI * i / 4;
-        EXPECT_LT(test::distanceFromMesh(mesh, {std::cos(angle), std::sin(angle), 0}), 0.1) << i;
-    }
-}
-
-/// The search for tears would take longer than all of growth where there are many handles.
-TEST(Limbs, are_not_mended_where_they_are_whole)
-{
-    NeuralMesh mesh;
-    EXPECT_EQ(test::collapseInactive(mesh, tornPost(), true).tears, 0);
-    Scalar furthest = 0; // 0.5, the tear
-    for (int i = 0; i < 8; ++i) {
-        const Scalar angle = M_PI * i / 4;
-        furthest =
-            std::max(furthest, test::distanceFromMesh(mesh, {std::cos(angle), std::sin(angle), 0}));
-    }
-    EXPECT_GT(furthest, 0.4);
 }
 
 /// Two blunt spikes on a torus, each with samples at its foot and one at its tip. Faces that cut

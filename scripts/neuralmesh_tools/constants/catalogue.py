@@ -70,7 +70,6 @@ _OF_NETWORK = {
             ("fewVertices", "25", "100", "vertices"),
             ("youngVertices", "250", "1000", "vertices"),
             ("webVertices", "500", "2000", "vertices"),
-            ("mostTears", "4", "16", "tears"),
             ("countByDistanceFrom", "0.2", "0.8", "share of the target"),
         ],
     ),

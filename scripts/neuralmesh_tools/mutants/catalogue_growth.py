@@ -118,14 +118,6 @@ GROWTH: tuple[Mutant, ...] = (
         ("Limbs.a_web_between_legs_goes_and_their_inner_walls_are_back",),
     ),
     Mutant(
-        "tears-stay",
-        "torn limbs are mended",
-        _NETWORK,
-        "            if (!limbsAreWhole_)\n                mendTears(support);\n",
-        "",
-        ("Limbs.a_torn_post_is_whole_again",),
-    ),
-    Mutant(
         "webs-do-not-shrink",
         "edges that span a void are flipped away",
         _NETWORK,
@@ -140,14 +132,6 @@ GROWTH: tuple[Mutant, ...] = (
         "wideningForFewPoints(sampler_.pointCount(), network_.vertexCount())",
         "1.0",
         ("Shapes.few_points_are_no_reason_to_look_for_webs_everywhere",),
-    ),
-    Mutant(
-        "bridges-miss-samples",
-        "a bridge that samples are not near to is not built",
-        "core/topology/stump_bridge.cpp",
-        "    const double then = best.weight + missed.after;",
-        "    const double then = best.weight + 0 * missed.after;",
-        ("Limbs.that_few_samples_show_keep_their_tips",),
     ),
     Mutant(
         "fillings-miss-samples",
