@@ -97,7 +97,7 @@ SHAPE: tuple[Mutant, ...] = (
         _SHAPE,
         "        field_.holdOutside(flood.outside());",
         "",
-        ("CoarseShape.has_no_handles_to_stray_points",),
+        ("CoarseShape.of_a_thin_plate_is_no_sheet",),
     ),
     Mutant(
         "walls-not-felt",
