@@ -39,13 +39,13 @@ constexpr double margin = 0.15;
 /// The shortest side of the grid, in its longest: a border nearby would press on the field.
 constexpr double leastSide = 0.75;
 
-/// Rounds of the field before the flood and after it.
-struct Rounds {
-    int before, after;
-};
-/// On the first grid and on each finer one, which starts from what the coarser found.
-constexpr Rounds roundsOf[] = {{20, 3}, {4, 3}, {2, 2}, {2, 2}};
-static_assert(lastCells == firstCells << (std::size(roundsOf) - 1), "Each grid has its rounds.");
+/// Rounds of the field before the flood and after it: on the first grid and on each finer one,
+/// which starts from what the coarser found.
+constexpr int roundsBeforeFlood[] = {20, 4, 2, 2};
+constexpr int roundsAfterFlood[] = {3, 3, 2, 2};
+static_assert(lastCells == firstCells << (std::size(roundsBeforeFlood) - 1) &&
+                  std::size(roundsAfterFlood) == std::size(roundsBeforeFlood),
+              "Each grid has its rounds.");
 
 /// All of them up to the usual grids, in rounds of the first: twice as many cells along each axis
 /// take eight times as long.
@@ -54,7 +54,7 @@ constexpr double workOfUsualGrids()
     double work = 0;
     double cost = 1;
     for (int grid = 0; firstCells << grid <= usualCells; ++grid) {
-        work += cost * (roundsOf[grid].before + roundsOf[grid].after);
+        work += cost * (roundsBeforeFlood[grid] + roundsAfterFlood[grid]);
         cost *= 8;
     }
     return work;
@@ -216,13 +216,13 @@ private:
 
     void learn(int smoothings)
     {
-        const Rounds &rounds = roundsOf[grid_];
+        const int rounds = roundsBeforeFlood[grid_];
         const int last =
             std::max(leastSmoothings,
                      static_cast<int>(std::lround(smoothingsOfSpacing * spacing() * spacing())));
         const int first = std::max(smoothings, last);
-        for (int round = 0; round < rounds.before; ++round)
-            improve(first + (last - first) * round / (rounds.before - 1));
+        for (int round = 0; round < rounds; ++round)
+            improve(first + (last - first) * round / (rounds - 1));
         const OutsideFlood flood(insideness(), points_,
                                  std::max(crustOfCells, crustOfSpacings * spacing()));
         isSheet_ = isSheet_ || (flood.doubledShare() > shareOfSheet &&
@@ -230,7 +230,7 @@ private:
         if (isSheet_)
             return;
         field_.holdOutside(flood.outside());
-        for (int round = 0; round < rounds.after; ++round)
+        for (int round = 0; round < roundsAfterFlood[grid_]; ++round)
             improve(last);
     }
 

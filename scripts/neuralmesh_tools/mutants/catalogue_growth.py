@@ -36,14 +36,6 @@ GROWTH: tuple[Mutant, ...] = (
         ("Shapes.an_angle_has_no_web_between_its_arms",),
     ),
     Mutant(
-        "whole-limbs-are-mended",
-        "torn limbs are not looked for after a start from the data",
-        _NETWORK,
-        "if (!limbsAreWhole_)",
-        "if (true)",
-        ("Limbs.are_not_mended_where_they_are_whole",),
-    ),
-    Mutant(
         "own-star-only",
         "a sample is projected on other sheets than its winner's",
         _NETWORK,
