@@ -12,8 +12,9 @@ import numpy as np
 import pymeshlab
 import pytest
 
-from neuralmesh_tools import geometry, metrics
+from neuralmesh_tools import geometry, layers, methods, metrics
 from neuralmesh_tools.quality import bounds, inputs, models, report, shapes
+from neuralmesh_tools.quality.row import Job, measure_row
 from neuralmesh_tools.quality.run import Group, Row, Settings, Variant, run_group
 
 CUBE_CORNERS = np.array(list(itertools.product([0.0, 1.0], repeat=3)))
@@ -194,6 +195,48 @@ def test_noise_and_outliers_are_what_the_condition_says_and_repeat():
     assert np.abs(reach).max(axis=0) == pytest.approx([0.55] * 3, abs=0.002)
 
 
+def test_uneven_points_are_ten_times_as_dense_at_one_end_and_sparse_ones_are_few():
+    uneven = inputs.make_case("bracket", "uneven", 1)
+    assert len(uneven.points) == models.MODELS["bracket"].samples
+    low, high = uneven.reference_points.min(axis=0), uneven.reference_points.max(axis=0)
+    axis = int(np.argmax(high - low))
+    even = inputs.make_case("bracket", "clean", 1)
+    ends = []
+    for case in (uneven, even):
+        along = (case.points[:, axis] - low[axis]) / (high - low)[axis]
+        ends.append([np.mean(along < 0.1), np.mean(along > 0.9)])
+    (sparse_end, dense_end), (first, last) = ends
+    # The ramp is that of whole faces, which are a twentieth of the side long or less.
+    assert (dense_end / last) / (sparse_end / first) == pytest.approx(10**0.9, rel=0.3)
+    sparse = inputs.make_case("bunny", "sparse", 1)
+    assert len(sparse.points) == len(sparse.normals) == 3_000
+
+
+@pytest.mark.usefixtures("few_samples")
+def test_poisson_at_its_best_is_the_setting_with_the_least_error_and_says_which():
+    case = inputs.make_case("step", "clean", 1)
+    best = methods.TABLE_METHODS["poisson-best"]
+    errors = {}
+    for setting in best.settings:
+        row = measure_row(Job(setting, case, methods.Task(400)))
+        assert row["setting"] is None
+        errors[setting.label] = row["rms_to_mesh"] * row["rms_to_surface"]
+    assert len(errors) == 6
+    row = measure_row(Job(best, case, methods.Task(400)))
+    assert row["setting"] == min(errors, key=errors.__getitem__)
+    assert row["vertices"] == 400
+    assert row["rms_to_mesh"] * row["rms_to_surface"] == pytest.approx(min(errors.values()))
+
+
+def test_outliers_are_removed_only_where_there_are_some():
+    points = np.vstack([shapes.unit_sphere(20)[0], [[9.0, 9.0, 9.0]]])
+    for known in (False, True):
+        document = layers.document_of(points)
+        methods.remove_known_outliers(document, methods.Task(400, outliers=known))
+        furthest = np.abs(document.current_mesh().vertex_matrix()).max()
+        assert bool(furthest > 2) is not known
+
+
 @pytest.fixture
 def few_samples(monkeypatch: pytest.MonkeyPatch) -> None:
     """Take 4,000 points instead of 100,000 from the stepped cube: rows in a second."""
@@ -248,6 +291,12 @@ def test_the_overview_takes_the_geometric_mean_of_the_seeds():
         row("dino", "poisson-true", seed=2, failure="crashed with SIGSEGV"),
     ]
     assert report.overview_markdown(rows).splitlines()[-1] == "| dino | 0.040 / 0.100 | – |"
+
+
+def test_handles_are_counted_against_those_of_the_model():
+    assert bounds.wrong_handles(row("anchor", "ours", genus=4)) == 0
+    assert bounds.wrong_handles(row("anchor", "ours", genus=1)) == 3
+    assert bounds.wrong_handles(row("bunny", "ours", genus=None)) == np.inf
 
 
 def test_bounds_take_the_geometric_mean_and_the_worst_and_count_failures():

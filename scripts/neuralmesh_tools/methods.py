@@ -112,7 +112,8 @@ def cut_down(
 ) -> Reconstruction:
     """Decimate a mesh by quadrics to a count; one that has fewer vertices stays as it is.
 
-    attempts: after the first, to meet the count more exactly. The seconds are those of the mesh and of the first decimation, which is all a user would do.
+    attempts: after the first, to meet the count more exactly. The seconds are those of the mesh and
+    of the first decimation, which is all a user would do.
     """
     if len(np.unique(dense.faces)) <= vertices:
         return dense
@@ -304,7 +305,8 @@ TABLE_METHODS: dict[str, Method] = {
     "poisson-best": Method(
         "Poisson at its best",
         METHODS["poisson"].name,
-        f"normals from {alternatives(BEST_NEIGHBOURS)} neighbours, depth {alternatives(BEST_DEPTHS)}: what is "
+        f"normals from {alternatives(BEST_NEIGHBOURS)} neighbours, depth "
+        f"{alternatives(BEST_DEPTHS)}: what is "
         "best for each input; outliers removed where there are some, largest part kept",
         settings=tuple(
             poisson_with(neighbours, depth)

@@ -36,7 +36,8 @@ struct CoarseShape {
 ///
 /// The sides are those of a winding field (winding_field.h), corrected by what a flood from outside
 /// reaches (outside_flood.h). The grid is refined until the shape no longer changes and the grid is
-/// as fine as the mesh is to be; its level set is decimated. Parts that hardly any point supports are left out.
+/// as fine as the mesh is to be; its level set is decimated. Parts that hardly any point supports
+/// are left out.
 ///
 /// Tells `progress` the share of the work, as if the finest grid were needed, and throws Cancelled
 /// where it says so.

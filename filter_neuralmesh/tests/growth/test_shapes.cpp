@@ -85,8 +85,8 @@ TEST(Shapes, an_animal_has_its_limbs)
         GrowthParameters parameters = withTarget(1500, seed);
         parameters.topology = Topology::learned;
         const Grown grown = growFrom(points, parameters, shape, points);
-        // Of twelve seeds, 0.039 to 0.044 and 0.027 to 0.033. From a tetrahedron, two of these three
-        // have a torn limb: 0.15 and more.
+        // Of twelve seeds, 0.039 to 0.044 and 0.027 to 0.033. From a tetrahedron, two of these
+        // three have a torn limb: 0.15 and more.
         EXPECT_LT(grown.fromShape.rms, 0.12) << seed;
         EXPECT_LT(grown.fromMesh.rms, 0.12) << seed;
         EXPECT_EQ(grown.report.selfIntersections, 0) << seed;

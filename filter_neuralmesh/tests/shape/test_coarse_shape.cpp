@@ -311,8 +311,8 @@ TEST(CoarseShape, is_of_a_grid_as_fine_as_the_start)
 
 TEST(CoarseShape, is_of_a_finer_grid_where_it_leaves_points_unexplained)
 {
-    // A plate with nine square holes, 1.8 cells wide on the grid of 64: that and the grid of 32 have
-    // none of them.
+    // A plate with nine square holes, 1.8 cells wide on the grid of 64: that and the grid of 32
+    // have none of them.
     const auto isSolid = [](int x, int y, int z) {
         const auto isIn = [](int i) { return i >= 10 && i < 75 && (i - 10) % 30 < 3; };
         return z < 4 && !(isIn(x) && isIn(y));

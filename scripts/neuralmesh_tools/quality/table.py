@@ -23,7 +23,8 @@ ONLY_IF_NAMED = ("ours-no-fit",)
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add what only the table has: which rows, how they are run, what is kept of them."""
     quality = parser.add_argument_group("quality")
-    text = f"comma separated, or all; of {listed(models.MODELS)} (default: the first {len(models.TABLE_MODELS)})"
+    first = f"default: the first {len(models.TABLE_MODELS)}"
+    text = f"comma separated, or all; of {listed(models.MODELS)} ({first})"
     quality.add_argument("--models", default=",".join(models.TABLE_MODELS), help=text)
     text = "comma separated (default: all)"
     quality.add_argument("--conditions", help=text)
