@@ -166,13 +166,12 @@ public:
             const int votes = reading.shape.votes;
             const bool isSame = reading.surface().hasShapeOf(coarser.surface());
             isUnanimous_ = isSame && std::min(votes, coarser.shape.votes) == allVotes;
-            // What two grids have takes more to be overruled; a grid that bears it out leaves the
-            // start to the coarser surface.
-            const int needed = isLast() || !isStable_ ? fewestVotes : clearVotes;
-            if (isStable_ ? isSame || votes < needed : isLast() && votes < needed)
+            // What two grids have takes more than a few levels of a finer one to be overruled.
+            const bool isDoubtful = !isSame && votes < (isLast() ? fewestVotes : clearVotes);
+            if (isDoubtful && (isStable_ || isLast()))
                 reading = std::move(coarser);
             else
-                isStable_ = isSame && votes >= fewestVotes;
+                isStable_ = isSame && (isStable_ || votes >= fewestVotes);
         }
         return judge(reading);
     }

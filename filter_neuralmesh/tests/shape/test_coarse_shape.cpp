@@ -252,8 +252,8 @@ TEST(CoarseShape, leaves_out_parts_that_are_of_a_few_stray_points)
     EXPECT_TRUE(shape.isTrusted);
     EXPECT_EQ(shape.components, 1);
     EXPECT_EQ(shape.genus, 0);
-    // 35 of 3150: the other stray points lie near the sphere, or held a part that was left out.
-    EXPECT_NEAR(shape.missedShare, 0.011, 0.003);
+    // 55 of 3150: the other stray points lie near the sphere, or held a part that was left out.
+    EXPECT_NEAR(shape.missedShare, 0.0175, 0.003);
 }
 
 TEST(CoarseShape, has_no_handles_to_stray_points)

@@ -147,7 +147,7 @@ SHAPE: tuple[Mutant, ...] = (
         "votes-are-enough",
         "a shape is that of two grids",
         _SHAPE,
-        "                isStable_ = isSame && votes >= fewestVotes;",
+        "                isStable_ = isSame && (isStable_ || votes >= fewestVotes);",
         "                isStable_ = votes >= clearVotes;",
         ("CoarseShape.of_an_arm_beside_a_body_has_no_handle",),
     ),
