@@ -157,7 +157,7 @@ public:
         learn(firstSmoothings);
         Reading reading = read();
         isStable_ = isSheet_ && reading.shape.votes >= clearVotes;
-        while (!isFineEnough()) {
+        while (!isFineEnough(reading)) {
             Reading coarser = std::move(reading);
             field_.refine();
             ++grid_;
@@ -202,15 +202,26 @@ private:
 
     /// A start of more faces than the grid has cells on the surface can hold handles that fall
     /// between its nodes.
-    bool isFineEnough() const
+    bool isFineEnough(const Reading &reading) const
     {
         if (isLast() || (isSheet_ && isStable_))
             return true;
         if (resolution() < usualCells)
-            return isStable_ && unexplained_ <= mostUnexplained;
+            return isStable_ && (unexplained_ <= mostUnexplained || hasMembranes(reading));
         return isUnanimous_ ||
                startFaces_ <= pointCount_ * std::pow(spacingInGrid_ * resolution(), 2) ||
                lastCells * spacingInGrid_ > widestSpacing;
+    }
+
+    /// Finer grids tear open sheets and membranes where points are near.
+    bool hasMembranes(const Reading &reading) const
+    {
+        return supportOf(reading).farShare >= faultless;
+    }
+
+    SurfaceSupport supportOf(const Reading &reading) const
+    {
+        return measureSupport(reading.surface().soup, index_, supportRadii(reading.cells));
     }
 
     void learn(int smoothings)
@@ -267,7 +278,7 @@ private:
         const LevelSurface &s = reading.surface();
         cells_ = reading.cells;
         soup_ = s.soup;
-        support_ = measureSupport(soup_, index_, supportRadii(cells_));
+        support_ = supportOf(reading);
         const bool isFaultless = support_.farShare < faultless && s.missedShare < faultless;
         CoarseShape shape;
         shape.cells = cells_;
