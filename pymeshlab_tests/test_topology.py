@@ -16,6 +16,7 @@ from neuralmesh_tools.benchmarks.topology.run import Job, measure_run
 from neuralmesh_tools.geometry import diagonal, sample_surface
 from neuralmesh_tools.layers import document_of
 from neuralmesh_tools.methods import METHODS, Task, reconstruct
+from neuralmesh_tools.quality.inputs import make_case
 from neuralmesh_tools.quality.shapes import thin_blade
 
 VERTICES = 1_500
@@ -51,6 +52,16 @@ def test_a_mesh_has_the_shape_of_its_data(plugin: Path, name: str, condition: st
     task = Task(vertices, parameters={**row.parameters, "randomseed": seed})
     values = measure_run(Job(plugin, cloud, task, row.expected.window, distances=False))
     assert faults(Run(name, condition, seed, vertices, values), row.expected) == []
+
+
+def test_points_of_uneven_density_have_their_handles(plugin: Path):
+    # Ten times as dense at one end as at the other: without thinning, no shape is found.
+    try:
+        case = make_case("anchor", "uneven", 1)
+    except datasets.Unavailable as problem:
+        pytest.skip(str(problem))
+    result = reconstruct(METHODS["neural-mesh"], document_of(case.points), Task(2_500))
+    assert (result.returned["genus"], result.returned["components"]) == (4, 1)
 
 
 def test_a_thin_plate_has_its_two_sides(plugin: Path):

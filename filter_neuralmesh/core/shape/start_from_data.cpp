@@ -6,6 +6,7 @@
 
 #include "core/random_streams.h"
 #include "core/shape/coarse_shape.h"
+#include "core/shape/even_density.h"
 #include "core/space/plain_points.h"
 
 namespace neuralmesh {
@@ -29,8 +30,11 @@ CoarseShape startFromData(NeuralMesh &mesh, const Sampler &sampler,
     std::vector<Point> samples;
     sampler.draw(random, std::min(mostSamples, samplesPerPoint * points), samples);
     const auto vertices = static_cast<int>(shareOfTarget * parameters.targetVertexCount);
-    CoarseShape shape = findCoarseShape(mesh, toVcg(samples), sampler.pointCount(), vertices,
-                                        parameters.maxHoleSize, progress);
+    const std::vector<Point3> drawn = toVcg(samples);
+    const std::vector<Point3> even = withEvenDensity(drawn);
+    const std::size_t distinct = even.size() < drawn.size() ? even.size() : sampler.pointCount();
+    CoarseShape shape =
+        findCoarseShape(mesh, even, distinct, vertices, parameters.maxHoleSize, progress);
     shape.isTrusted = shape.isTrusted && mesh.vn <= parameters.targetVertexCount;
     return shape;
 }

@@ -168,6 +168,14 @@ SHAPE: tuple[Mutant, ...] = (
         ("CoarseShape.is_of_a_grid_as_fine_as_the_start",),
     ),
     Mutant(
+        "dense-points-stay",
+        "points of uneven density are thinned before their shape is looked for",
+        "core/shape/even_density.cpp",
+        "    if (!(spacings.sparse > leastRatio * spacings.dense))",
+        "    if (!(spacings.sparse > 1e9 * spacings.dense))",
+        ("EvenDensity.thins_the_dense_end_to_the_sparse_one",),
+    ),
+    Mutant(
         "points-need-not-be-explained",
         "the usual grid is spared only where the coarser one explains the points",
         _SHAPE,
