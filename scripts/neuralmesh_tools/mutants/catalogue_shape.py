@@ -179,8 +179,8 @@ SHAPE: tuple[Mutant, ...] = (
         "points-need-not-be-explained",
         "the usual grid is spared only where the coarser one explains the points",
         _SHAPE,
-        "isStable_ && unexplained_ <= mostUnexplained;",
-        "isStable_ && unexplained_ <= 1;",
+        "(unexplained_ <= mostUnexplained || hasMembranes(reading))",
+        "(unexplained_ <= 1 || hasMembranes(reading))",
         ("CoarseShape.is_of_a_finer_grid_where_it_leaves_points_unexplained",),
     ),
     Mutant(
