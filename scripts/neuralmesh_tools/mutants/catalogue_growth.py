@@ -106,7 +106,7 @@ GROWTH: tuple[Mutant, ...] = (
         "whole webs are taken out",
         _NETWORK,
         "            removeWebs(support);",
-        "",
+        "            {}",
         ("Limbs.a_web_between_legs_goes_and_their_inner_walls_are_back",),
     ),
     Mutant(
