@@ -21,9 +21,9 @@
 namespace neuralmesh {
 namespace {
 
-/// Cells per axis of the first grid, of the one that is usually the last, and of the last. The
-/// usual one costs a fifth of what growth does, and is spared where nothing speaks for it; the last
-/// costs a third, and is made where all does.
+/// Cells per axis of the first grid, of the one that is usually the last, and of the last. Each
+/// takes eight times as long as the one before: the usual one is spared where nothing speaks for
+/// it, the last is made only where all does.
 constexpr int firstCells = 32;
 constexpr int usualCells = 128;
 constexpr int lastCells = 256;
