@@ -32,7 +32,7 @@ def test_each_mutant_has_a_name_of_its_own_and_tests_that_there_are() -> None:
     there = {
         f"{suite}.{name}"
         for file in (ROOT / FOLDER / "tests").rglob("*.cpp")
-        for suite, name in re.findall(r"\bTEST\(\s*(\w+),\s*(\w+)\)", file.read_text())
+        for suite, name in re.findall(r"\bTEST(?:_F)?\(\s*(\w+),\s*(\w+)\)", file.read_text())
     }
     for mutant in MUTANTS:
         assert mutant.tests, mutant.name

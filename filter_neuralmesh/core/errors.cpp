@@ -85,6 +85,7 @@ std::string nameOf(Parameter parameter)
     case Parameter::smoothingPasses: return "smoothingPasses";
     case Parameter::signalsPerSplit: return "signalsPerSplit";
     case Parameter::inactivityFactor: return "inactivityFactor";
+    case Parameter::threads: return "threads";
     case Parameter::counterDecay: return "counterDecay";
     case Parameter::snapshots: return "snapshots";
     case Parameter::maxHoleSize: return "maxHoleSize";

@@ -27,12 +27,15 @@
 namespace neuralmesh {
 namespace {
 
-/// Signals of a batch for each vertex of the network. Larger batches keep more of the network in
-/// cache, smaller ones let counters steer each split sooner.
-constexpr double batchPerVertex = 0.5;
+/// Samples of a batch for each vertex of the network.
+constexpr double batchPerVertex = 2;
 
-/// Samples for each vertex by which the error of the result is measured.
-constexpr std::size_t samplesPerErrorMeasure = 6;
+/// The same where they are learned from one by one. Larger batches keep more of the network in
+/// cache, smaller ones let counters steer each split sooner.
+constexpr double batchPerVertexOneByOne = 0.5;
+
+/// Samples for each vertex by which the error and the support of the result are measured.
+constexpr std::size_t samplesPerMeasure = 6;
 
 /// Share of λ with which a closed start from the data settles: its vertices are near the samples.
 /// The border of an open one is not.
@@ -72,12 +75,13 @@ class Growth {
 public:
     Growth(NeuralMesh &mesh, LearnedShape shape, const Sampler &sampler,
            const GrowthParameters &parameters, Random &random, const Progress &progress,
-           const NetworkTaker &takeSnapshot)
+           const NetworkTaker &takeSnapshot, Workers &workers)
         : parameters_(parameters), shape_(shape),
           hasBorders_(shape == LearnedShape::found && !isClosed(mesh)), sampler_(sampler),
           progress_(progress), takeSnapshot_(takeSnapshot), random_(random),
           measuring_(randomStream(parameters.seed, Purpose::measuring)),
-          convergence_(sampler, measuring_), network_(mesh, toVcg(sampler.bounds()), parameters),
+          convergence_(sampler, measuring_),
+          network_(mesh, toVcg(sampler.bounds()), parameters, &workers),
           closing_(network_, parameters.targetVertexCount), order_(sampler.bounds())
     {
         report_.changes.shape = shape;
@@ -117,12 +121,12 @@ public:
             parameters_.surfaceFit ? fit() : network_.findSelfIntersections().faces;
         if (isToBeClosed() && !isClosed(network_.mesh()))
             report_.selfIntersections = closing_.close();
-        const ErrorFigures error =
-            measureError(network_, sampler_, measuring_, samplesPerErrorMeasure);
+        const SampleDistances distances =
+            measureDistances(network_, sampler_, measuring_, samplesPerMeasure);
+        const ErrorFigures error = errorOf(distances);
         report_.rmsError = error.rms;
         report_.maxError = error.largest;
-        const SupportFigures support =
-            measureSupport(network_, sampler_, measuring_, samplesPerErrorMeasure);
+        const SupportFigures support = supportOf(network_, distances, sampler_.pointCount());
         report_.coverage = support.coverage;
         report_.unsupportedArea = support.unsupportedArea;
         report_.convergence = convergence_.errors();
@@ -188,20 +192,25 @@ private:
         });
     }
 
-    /// Steps 1 to 4 for each sample of a batch.
+    /// Steps 1 to 4 for a batch.
     void learnBatch()
     {
         sampleBatch();
-        const Scalar reach = reachOfBorders();
+        reportProgress();
+        if (network_.learnsByBatches())
+            network_.learn(batch_, reachOfBorders());
+        else
+            learnOneByOne();
+    }
+
+    /// Steps 2 to 4 for one sample after the other, as in the paper.
+    void learnOneByOne()
+    {
         VertexId winner = noVertex;
         for (std::size_t i = 0; i < batch_.size(); ++i) {
             winner = network_.findWinner(batch_[i], winner);
-            if (network_.isBeyondBorder(winner, batch_[i], reach)) {
-                network_.passSignal();
-            } else {
-                network_.adapt(winner, batch_[i]);
-                network_.countSignal(winner, batch_[i]);
-            }
+            network_.adapt(winner, batch_[i]);
+            network_.countSignal(winner, batch_[i]);
             if (i % signalsPerReport == 0)
                 reportProgress();
         }
@@ -217,7 +226,9 @@ private:
     void sampleBatch()
     {
         const int lambda = network_.signalsPerSplit();
-        const double splits = batchPerVertex * network_.vertexCount() / lambda;
+        const double perVertex =
+            network_.learnsByBatches() ? batchPerVertex : batchPerVertexOneByOne;
+        const double splits = perVertex * network_.vertexCount() / lambda;
         drawBatch(static_cast<std::size_t>(std::max(1.0, splits)) *
                   static_cast<std::size_t>(lambda));
     }
@@ -293,7 +304,8 @@ private:
             return true;
         };
         const NetworkTaker none;
-        Growth growth(snapshot, shape_, sampler_, parameters, random, progress, none);
+        Growth growth(snapshot, shape_, sampler_, parameters, random, progress, none,
+                      network_.workers());
         (growth.*finish)();
     }
 
@@ -373,13 +385,14 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
 {
     parameters.validate();
     requireEnoughPoints(sampler, parameters.targetVertexCount);
+    Workers workers(parameters.threads);
     Random random = randomStream(parameters.seed, Purpose::growth);
     const Progress inStart = [&](double fraction, const char *activity) {
         report(progress, shareOfStart * fraction, activity);
         return true;
     };
-    const Start start = makeStart(mesh, sampler, parameters, random, inStart);
-    Growth growth(mesh, start.shape, sampler, parameters, random, progress, takeSnapshot);
+    const Start start = makeStart(mesh, sampler, parameters, random, workers, inStart);
+    Growth growth(mesh, start.shape, sampler, parameters, random, progress, takeSnapshot, workers);
     if (start.hasShape)
         growth.settle();
     GrowthReport report = growth.run();

@@ -46,6 +46,7 @@ void GrowthParameters::validate() const
     requireAtLeast(Parameter::smoothingPasses, smoothingPasses, 1);
     requireAtLeast(Parameter::signalsPerSplit, signalsPerSplit, 1);
     requireAtLeast(Parameter::inactivityFactor, inactivityFactor, 1);
+    requireAtLeast(Parameter::threads, threads, 0);
     requireRate(Parameter::counterDecay, counterDecay);
     requireSnapshots(snapshots, targetVertexCount);
     if (!(maxHoleSize >= 0))

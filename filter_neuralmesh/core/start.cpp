@@ -32,11 +32,11 @@ void requireAtLeast(Parameter parameter, int count, int startingVertices)
 }
 
 Start makeStart(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-                Random &random, const Progress &progress)
+                Random &random, Workers &workers, const Progress &progress)
 {
     Start start;
     if (startsFromData(parameters)) {
-        const CoarseShape found = startFromData(mesh, sampler, parameters, progress);
+        const CoarseShape found = startFromData(mesh, sampler, parameters, workers, progress);
         start.shape = found.isTrusted ? LearnedShape::found : LearnedShape::notFound;
         start.isShapeClear = !found.isTrusted || found.isClear;
         start.gaps = found.isTrusted ? found.openings : 0;

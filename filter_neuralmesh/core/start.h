@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/mesh/neural_mesh.h"
+#include "core/parallel/workers.h"
 #include "neuralmesh/parameters.h"
 #include "neuralmesh/progress.h"
 #include "neuralmesh/random.h"
@@ -27,7 +28,7 @@ struct Start {
 /// not start from the data; FlatTarget where nothing but a closed surface could come of points on a
 /// plane; Cancelled where `progress` says so.
 Start makeStart(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-                Random &random, const Progress &progress);
+                Random &random, Workers &workers, const Progress &progress);
 
 /// Throws InvalidParameter where the count of vertices that a parameter asks for is below that of
 /// the starting mesh.

@@ -18,6 +18,7 @@ std::string filterParameter(Parameter parameter)
     case Parameter::smoothingPasses: return "SmoothingPasses";
     case Parameter::signalsPerSplit: return "SignalsPerSplit";
     case Parameter::inactivityFactor: return "InactivityFactor";
+    case Parameter::threads: return "Threads";
     case Parameter::counterDecay: return "CounterDecay";
     case Parameter::snapshots: return "Snapshots";
     case Parameter::maxHoleSize: return "MaxHoleSize";

@@ -30,6 +30,10 @@ void addGrowthParameters(RichParameterList &list)
 {
     const neuralmesh::GrowthParameters d;
     const auto real = [](double value) { return static_cast<Scalarm>(value); };
+    list.addParam(RichInt("Threads", d.threads, "Threads",
+                          "Processor cores that share the work; 0 takes all. The mesh is the same "
+                          "for any number.",
+                          advanced));
     list.addParam(RichFloat("WinnerRate", real(d.winnerRate), "Winner rate",
                             "How far the vertex nearest to a sample moves towards it, as a share "
                             "of the distance (the paper's alpha_w). Between 0 and 1.",
@@ -245,6 +249,7 @@ neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &param
     growth.smoothingPasses = parameters.getInt("SmoothingPasses");
     growth.signalsPerSplit = parameters.getInt("SignalsPerSplit");
     growth.inactivityFactor = parameters.getInt("InactivityFactor");
+    growth.threads = parameters.getInt("Threads");
     growth.counterDecay = parameters.getFloat("CounterDecay");
     growth.splitRule = static_cast<neuralmesh::SplitRule>(parameters.getEnum("SplitRule"));
     growth.surfaceFit = parameters.getBool("SurfaceFit");

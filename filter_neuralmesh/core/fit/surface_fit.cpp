@@ -14,7 +14,10 @@
 #include "core/mesh/star_normal.h"
 #include "core/mesh/triangle.h"
 #include "core/mesh/vertex_data.h"
+#include "core/network/sample_locator.h"
 #include "core/network/star_projection.h"
+#include "core/parallel/vertex_loops.h"
+#include "core/parallel/vertex_sums.h"
 #include "core/space/morton_order.h"
 #include "core/space/point_statistics.h"
 
@@ -72,6 +75,17 @@ struct Accumulator {
     double residual = 0;                              ///< Σ w |ρ|
     double squaredResidual = 0;                       ///< Σ w ρ², of trusted samples
     double onSurface = 0;                             ///< Σ w of samples without a residual
+
+    Accumulator &operator+=(const Accumulator &other)
+    {
+        system += other.system;
+        pull += other.pull;
+        weight += other.weight;
+        residual += other.residual;
+        squaredResidual += other.squaredResidual;
+        onSurface += other.onSurface;
+        return *this;
+    }
 };
 
 /// What the neighbours say of one vertex.
@@ -136,22 +150,26 @@ private:
         reach_.fade(mostInformation());
         sampler_.draw(random_, samplesOfSweep(), drawn_);
         order_.sort(drawn_, samples_);
-        VertexId nearest = noVertex;
-        for (const Point3 &sample : samples_) {
-            nearest = network_.nearestVertex(sample, nearest);
-            add(network_.project(nearest, sample));
-        }
+        const SampleLocator locator = network_.locator();
+        projections_.resize(samples_.size());
+        locator.forEachNearest(network_.workers(), samples_, [&](std::size_t i, VertexId nearest) {
+            projections_[i] = locator.project(nearest, samples_[i]);
+        });
+        for (const StarProjection &p : projections_)
+            reach_.add(p);
+        sumUp(network_.workers(), projections_.size(), accumulators_,
+              [&](std::size_t i, const auto &sumOf) { add(projections_[i], sumOf); });
     }
 
-    void add(const StarProjection &p)
+    /// To the sums of the face's corners.
+    template <class SumOf> void add(const StarProjection &p, const SumOf &sumOf) const
     {
-        reach_.add(p);
         const Point3 residual = residualFromSurface(mesh_, p);
         const Scalar squaredDistance = residual.SquaredNorm();
         const Scalar distance = std::sqrt(squaredDistance);
         if (distance <= rounding) {
             for (int corner = 0; corner < 3; ++corner)
-                accumulators_[p.corners[corner]].onSurface += p.weights[corner];
+                sumOf(p.corners[corner]).onSurface += p.weights[corner];
             return;
         }
         const Point3 direction = residual / distance;
@@ -160,7 +178,7 @@ private:
         const Scalar trust = scale > 0 ? 1 / (1 + squaredDistance / (scale * scale)) : 1;
         for (int corner = 0; corner < 3; ++corner) {
             const Scalar w = p.weights[corner];
-            Accumulator &a = accumulators_[p.corners[corner]];
+            Accumulator &a = sumOf(p.corners[corner]);
             a.system += trust * w * w * n * n.transpose();
             a.pull += trust * w * distance * n;
             a.weight += w;
@@ -173,7 +191,7 @@ private:
     {
         VertexData<Point3> before(mesh_);
         VertexData<Point3> moved(mesh_);
-        forEachVertex(mesh_, [&](VertexId v) {
+        forEachVertex(network_.workers(), mesh_, [&](VertexId v) {
             before[v] = mesh_.position(v);
             moved[v] = mesh_.position(v) + displacement(v) * step;
         });
@@ -190,19 +208,20 @@ private:
     void lookAround()
     {
         VertexData<double> heights(mesh_);
-        forEachVertex(mesh_, [&](VertexId v) {
+        Workers &workers = network_.workers();
+        forEachVertex(workers, mesh_, [&](VertexId v) {
             around_[v] = surroundings(v);
             heights[v] = around_[v].toCentre.dot(around_[v].normal);
         });
         VertexData<double> squares(mesh_);
-        forEachVertex(mesh_, [&](VertexId v) {
+        forEachVertex(workers, mesh_, [&](VertexId v) {
             around_[v].bending = heights[v] - ringMean(heights, v);
             squares[v] = squared(around_[v].bending);
         });
         VertexData<double> smoothed(mesh_);
-        forEachVertex(mesh_,
+        forEachVertex(workers, mesh_,
                       [&](VertexId v) { smoothed[v] = 0.5 * (squares[v] + ringMean(squares, v)); });
-        forEachVertex(mesh_,
+        forEachVertex(workers, mesh_,
                       [&](VertexId v) { around_[v].bendingVariance = ringMean(smoothed, v); });
     }
 
@@ -325,6 +344,7 @@ private:
     MortonOrder order_;
     std::vector<Point> drawn_;
     std::vector<Point3> samples_;
+    std::vector<StarProjection> projections_; ///< of the samples
     VertexData<Accumulator> accumulators_;
     BoundaryReach reach_;
     VertexData<Surroundings> around_;

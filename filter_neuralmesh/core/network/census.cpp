@@ -37,11 +37,11 @@ std::vector<VertexId> Census::misplaced(const GrowingNetwork &network,
                                         const std::vector<Point3> &samples) const
 {
     VertexData<char> hasWon(network.mesh(), 0);
-    VertexId winner = noVertex;
-    for (const Point3 &sample : samples) {
-        winner = network.nearestVertex(sample, winner);
+    std::vector<VertexId> winners(samples.size());
+    network.locator().forEachNearest(
+        network.workers(), samples, [&](std::size_t i, VertexId nearest) { winners[i] = nearest; });
+    for (const VertexId winner : winners)
         hasWon[winner] = 1;
-    }
     std::vector<VertexId> idle;
     forEachVertex(network.mesh(), [&](VertexId v) {
         if (hasWon[v] == 0)

@@ -53,16 +53,14 @@ constexpr double countByDistanceFrom = 0.4;
 /// keeps them apart where a host computes in single precision.
 constexpr Scalar thicknessOfSheets = 1e-3;
 
-/// How far around a sample other sheets are looked for, in mean lengths of the winner's edges.
-constexpr Scalar sheetDistance = 0.8;
-
 } // namespace
 
 GrowingNetwork::GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
-                               const GrowthParameters &parameters)
-    : parameters_(parameters), rules_(LearningRules::of(parameters.splitRule)), mesh_(startingMesh),
-      grid_(bounds), smoothing_(parameters.smoothingRate, parameters.smoothingPasses),
-      lastWin_(startingMesh)
+                               const GrowthParameters &parameters, Workers *workers)
+    : parameters_(parameters), rules_(LearningRules::of(parameters.splitRule)),
+      workers_(workers ? *workers : alone_), mesh_(startingMesh), grid_(bounds),
+      smoothing_(parameters.smoothingRate, parameters.smoothingPasses),
+      batch_(mesh_, grid_, workers_), lastWin_(startingMesh)
 {
     forEachVertex(mesh_, [&](VertexId v) { enrol(v); });
     mesh_.follow(*this);
@@ -79,10 +77,8 @@ VertexId GrowingNetwork::findWinner(const Point3 &sample, VertexId hint) const
     const VertexId nearest = nearestVertex(sample, hint);
     if (!rules_.winnerIsOnNearestSheet)
         return nearest;
-    const StarProjection p =
-        isYoung() ? projectOnStar(mesh_, nearest, sample) : project(nearest, sample);
-    const bool isOnOwnSheet = p.corners[0] == nearest;
-    return isOnOwnSheet && !liesOnBoundary(mesh_, p) ? nearest : nearestCorner(p);
+    return winnerOf(mesh_, nearest,
+                    isYoung() ? projectOnStar(mesh_, nearest, sample) : project(nearest, sample));
 }
 
 bool GrowingNetwork::isYoung() const
@@ -90,30 +86,9 @@ bool GrowingNetwork::isYoung() const
     return !limbsAreWhole_ && vertexCount() < youngVertices;
 }
 
-StarProjection GrowingNetwork::project(VertexId winner, const Point3 &sample) const
+StarProjection GrowingNetwork::project(VertexId nearest, const Point3 &sample) const
 {
-    StarProjection best = projectOnStar(mesh_, winner, sample);
-    const Scalar reach =
-        std::max((mesh_.position(winner) - sample).Norm(), sheetDistance * meanEdge(mesh_, winner));
-    grid_.forEachWithin(sample, reach, [&](VertexId v) {
-        if (v == winner || mesh_.ring(winner).contains(v))
-            return;
-        const StarProjection p = projectOnStar(mesh_, v, sample);
-        if (p.squaredDistance < best.squaredDistance)
-            best = p;
-    });
-    return best;
-}
-
-StarProjection GrowingNetwork::projectExactly(VertexId winner, const Point3 &sample) const
-{
-    StarProjection best = project(winner, sample);
-    for (const VertexId v : mesh_.ring(winner)) {
-        const StarProjection p = projectOnStar(mesh_, v, sample);
-        if (p.squaredDistance < best.squaredDistance)
-            best = p;
-    }
-    return best;
+    return projectOnSheets(mesh_, grid_, nearest, sample, reachForSheets(mesh_, nearest, sample));
 }
 
 void GrowingNetwork::moveVertex(VertexId v, const Point3 &position)
@@ -226,16 +201,6 @@ void GrowingNetwork::adapt(VertexId winner, const Point3 &sample)
         moveVertex(ring[i], smoothed[static_cast<std::size_t>(i)].position);
 }
 
-bool GrowingNetwork::isBeyondBorder(VertexId winner, const Point3 &sample, Scalar reach) const
-{
-    return mesh_.isOnBoundary(winner) && (mesh_.position(winner) - sample).Norm() > reach;
-}
-
-void GrowingNetwork::passSignal()
-{
-    ++signals_;
-}
-
 void GrowingNetwork::countSignal(VertexId winner, const Point3 &sample)
 {
     ++signals_;
@@ -250,7 +215,27 @@ double GrowingNetwork::activity(VertexId winner, const Point3 &sample)
         return 1;
     const double count =
         activity_.count(residualFromSurface(mesh_, projectOnStar(mesh_, winner, sample)).Norm());
-    return vertexCount() < countByDistanceFrom * parameters_.targetVertexCount ? 1 : count;
+    return countsByDistance() ? count : 1;
+}
+
+bool GrowingNetwork::countsByDistance() const
+{
+    return vertexCount() >= countByDistanceFrom * parameters_.targetVertexCount;
+}
+
+void GrowingNetwork::learn(const std::vector<Point3> &samples, Scalar reach)
+{
+    const std::vector<Wins> &wins = batch_.win(samples, {countsByDistance(), reach});
+    signals_ += samples.size();
+    forEachVertex(mesh_, [&](VertexId v) {
+        if (wins[v].signals > 0) {
+            lastWin_[v] = signals_;
+            counters_.add(v, wins[v].activity);
+        }
+    });
+    counters_.decay(power(decayPerSignal_, samples.size()));
+    const std::vector<Point3> &moved = batch_.move(parameters_);
+    forEachVertex(mesh_, [&](VertexId v) { moveVertex(v, moved[v]); });
 }
 
 int GrowingNetwork::signalsPerSplit() const

@@ -8,12 +8,14 @@
 #include "core/mesh/neural_mesh.h"
 #include "core/mesh/self_intersections.h"
 #include "core/mesh/vertex_data.h"
+#include "core/network/batch_learning.h"
 #include "core/network/learning_rules.h"
 #include "core/network/neighbour_smoothing.h"
 #include "core/network/signal_activity.h"
 #include "core/network/signal_counters.h"
 #include "core/network/star_projection.h"
 #include "core/network/star_splits.h"
+#include "core/parallel/workers.h"
 #include "core/space/vertex_grid.h"
 #include "core/topology/sample_support.h"
 #include "neuralmesh/parameters.h"
@@ -26,13 +28,15 @@ namespace neuralmesh {
 class GrowingNetwork final : private VertexFollower {
 public:
     /// Starts from a closed manifold mesh in the unit frame; `bounds` are those of the samples.
-    GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
-                   const GrowthParameters &parameters);
+    /// Without workers, the caller's thread does all.
+    GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds, const GrowthParameters &parameters,
+                   Workers *workers = nullptr);
     ~GrowingNetwork() { mesh_.unfollow(*this); }
     GrowingNetwork(const GrowingNetwork &) = delete;
     GrowingNetwork &operator=(const GrowingNetwork &) = delete;
 
     const NeuralMesh &mesh() const { return mesh_; }
+    Workers &workers() const { return workers_; }
     int vertexCount() const { return mesh_.vn; }
     /// Signals counted so far.
     std::uint64_t signals() const { return signals_; }
@@ -54,14 +58,11 @@ public:
     /// Step 2: the winner, by the rules. The hint as above.
     VertexId findWinner(const Point3 &sample, VertexId hint = noVertex) const;
 
-    /// The point of the mesh nearest to the sample, given its winner. Looks at the winner's star
-    /// and at those of other vertices near the sample: where two sheets run close to each other,
-    /// the nearest vertex may lie on one and the nearest face on the other.
-    StarProjection project(VertexId winner, const Point3 &sample) const;
+    /// The point of the mesh nearest to the sample, given the vertex nearest to it.
+    StarProjection project(VertexId nearest, const Point3 &sample) const;
 
-    /// The same to the last place: also looks at the stars of the winner's neighbours, which seldom
-    /// hold a nearer face than its own. For measuring.
-    StarProjection projectExactly(VertexId winner, const Point3 &sample) const;
+    /// Finds the same for many samples, until a vertex moves.
+    SampleLocator locator() const { return {mesh_, grid_, workers_}; }
 
     /// Moves a vertex to another place.
     void moveVertex(VertexId v, const Point3 &position);
@@ -104,11 +105,12 @@ public:
     /// and 7).
     void countSignal(VertexId winner, const Point3 &sample);
 
-    /// Whether a sample is further than `reach` from its winner, and that is on a boundary.
-    bool isBeyondBorder(VertexId winner, const Point3 &sample, Scalar reach) const;
+    /// Steps 2 to 4 for all samples at once. Nothing is learned from those further than `reach`
+    /// from a winner on a boundary.
+    void learn(const std::vector<Point3> &samples, Scalar reach);
 
-    /// A signal that nothing is learned from.
-    void passSignal();
+    /// Whether the network learns from a batch at once, by the rules: once it has all limbs.
+    bool learnsByBatches() const { return rules_.learnsByBatches && limbsAreWhole_; }
 
     /// Step 5: λ, the signals for each split, by the rules.
     int signalsPerSplit() const;
@@ -140,6 +142,7 @@ private:
     VertexId splitStar(const StarSplit &star, const Point3 &position);
     void shareCounter(VertexId v, VertexId w);
     double activity(VertexId winner, const Point3 &sample);
+    bool countsByDistance() const;
     Scalar voronoiArea(VertexId v) const;
     bool isInactive(VertexId v) const;
     void judgeOpenness(const SampleSupport &support);
@@ -151,11 +154,14 @@ private:
 
     GrowthParameters parameters_;
     LearningRules rules_;
+    mutable Workers alone_; ///< where none are given
+    Workers &workers_;
     NeuralMesh &mesh_;
     VertexGrid grid_;
     NeighbourSmoothing smoothing_;
-    SignalCounters counters_;
     SignalActivity activity_;
+    BatchLearning batch_;
+    SignalCounters counters_;
     VertexData<std::uint64_t> lastWin_; ///< signals_ when the vertex last won or was made
     double decayPerSignal_ = 1;
     std::uint64_t signals_ = 0;

@@ -17,6 +17,12 @@ struct LearningRules {
     /// middle. Not while the network is young, which is still finding the limbs of its target.
     bool winnerIsOnNearestSheet;
 
+    /// Steps 2 to 4. In the paper the network learns from one sample after the other. Here it
+    /// learns from a batch of samples at once, see BatchLearning, where it starts from the shape of
+    /// the data. A network that has yet to find the limbs of its target needs them one by one: by
+    /// batches, the sheet that closes a scan of one side is laid onto the scan.
+    bool learnsByBatches;
+
     /// Step 4. In the paper a signal counts 1. Here it counts by the sample's distance to the
     /// surface, so that vertices go where the error is: see SignalActivity.
     bool signalsCountByDistance;
@@ -41,13 +47,13 @@ struct LearningRules {
     /// The paper's rules.
     static constexpr LearningRules ofPaper()
     {
-        return {false, false, false, false, false, samplesOfSupportInPaper};
+        return {false, false, false, false, false, false, samplesOfSupportInPaper};
     }
 
     /// The rules that measured best.
     static constexpr LearningRules refined()
     {
-        return {true, true, true, true, true, samplesOfSupport};
+        return {true, true, true, true, true, true, samplesOfSupport};
     }
 
     static constexpr LearningRules of(SplitRule rule)

@@ -16,14 +16,18 @@ constexpr double meanWeight = 0.001;
 
 } // namespace
 
+double SignalActivity::ofRelative(double relative)
+{
+    return 1 - errorShare + errorShare * std::min(relative, mostRelative);
+}
+
 double SignalActivity::count(Scalar distance)
 {
     const double roughness = std::sqrt(distance);
     meanRoughness_ += (roughness - meanRoughness_) * (hasMean_ ? meanWeight : 1);
     hasMean_ = true;
     // While all samples lay on the surface, the distance says nothing.
-    const double relative = meanRoughness_ > 0 ? roughness / meanRoughness_ : 1;
-    return 1 - errorShare + errorShare * std::min(relative, mostRelative);
+    return ofRelative(meanRoughness_ > 0 ? roughness / meanRoughness_ : 1);
 }
 
 } // namespace neuralmesh

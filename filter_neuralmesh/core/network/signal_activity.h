@@ -14,6 +14,9 @@ public:
     /// For a sample at this distance, which goes into the mean.
     double count(Scalar distance);
 
+    /// The same, given the root of the distance in means of that root.
+    static double ofRelative(double relative);
+
 private:
     double meanRoughness_ = 0;
     bool hasMean_ = false;

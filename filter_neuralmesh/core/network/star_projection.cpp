@@ -107,9 +107,12 @@ Point3 residualFromSurface(const NeuralMesh &mesh, const StarProjection &p)
     return normal * (p.residual * normal);
 }
 
-VertexId nearestCorner(const StarProjection &p)
+VertexId winnerOf(const NeuralMesh &mesh, VertexId nearest, const StarProjection &p)
 {
-    return p.corners[std::max_element(p.weights, p.weights + 3) - p.weights];
+    const bool isOnOwnSheet = p.corners[0] == nearest;
+    return isOnOwnSheet && !liesOnBoundary(mesh, p)
+               ? nearest
+               : p.corners[std::max_element(p.weights, p.weights + 3) - p.weights];
 }
 
 Scalar squaredDistanceTo(const Triangle &t, const Point3 &query)

@@ -24,8 +24,10 @@ bool liesOnBoundary(const NeuralMesh &mesh, const StarProjection &p);
 /// far the query is beyond the surface's edge is no distance from the surface.
 Point3 residualFromSurface(const NeuralMesh &mesh, const StarProjection &p);
 
-/// The corner with the greatest weight.
-VertexId nearestCorner(const StarProjection &p);
+/// Step 2, given the vertex nearest to a sample and the nearest point of the mesh: the nearest
+/// vertex, or where that point is of another sheet or on a boundary, the nearest corner of its
+/// face. See LearningRules.
+VertexId winnerOf(const NeuralMesh &mesh, VertexId nearest, const StarProjection &p);
 
 /// Squared distance of the query to the nearest point of a triangle.
 Scalar squaredDistanceTo(const Triangle &triangle, const Point3 &query);

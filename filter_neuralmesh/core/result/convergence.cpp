@@ -40,7 +40,7 @@ void Convergence::note(const GrowingNetwork &network)
 
 double Convergence::errorOf(const GrowingNetwork &network)
 {
-    return measureError(network, sampler_, random_, samplesPerVertex).rms;
+    return neuralmesh::errorOf(measureDistances(network, sampler_, random_, samplesPerVertex)).rms;
 }
 
 } // namespace neuralmesh

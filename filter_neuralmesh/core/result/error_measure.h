@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/network/growing_network.h"
-#include "neuralmesh/random.h"
-#include "neuralmesh/sampler.h"
+#include "core/result/sample_distances.h"
 
 namespace neuralmesh {
 
@@ -13,9 +11,6 @@ struct ErrorFigures {
     double largest = 0;
 };
 
-/// Draws `samplesPerVertex` samples for each vertex and takes their distances from the nearest
-/// face, found as in the fit, and where that may miss it, around the nearest vertex's neighbours.
-ErrorFigures measureError(const GrowingNetwork &network, const Sampler &sampler, Random &random,
-                          std::size_t samplesPerVertex);
+ErrorFigures errorOf(const SampleDistances &distances);
 
 } // namespace neuralmesh

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/result/support_measure.h"
 
-#include <vector>
+#include <algorithm>
 
 #include "core/mesh/enumeration.h"
 #include "core/mesh/triangle.h"
-#include "core/space/morton_order.h"
-#include "core/space/plain_points.h"
 #include "core/space/point_spacing.h"
 #include "core/topology/sample_support.h"
 
@@ -40,23 +38,18 @@ double unsupportedShareOfArea(const NeuralMesh &mesh, const SampleSupport &suppo
 
 } // namespace
 
-SupportFigures measureSupport(const GrowingNetwork &network, const Sampler &sampler, Random &random,
-                              std::size_t samplesPerVertex)
+SupportFigures supportOf(const GrowingNetwork &network, const SampleDistances &distances,
+                         std::size_t points)
 {
-    std::vector<Point> drawn;
-    sampler.draw(random, samplesPerVertex * static_cast<std::size_t>(network.vertexCount()), drawn);
-    std::vector<Point3> samples;
-    MortonOrder(sampler.bounds()).sort(drawn, samples);
-    const double far = meanEdgeLength(network.mesh()) *
-                       wideningForFewPoints(sampler.pointCount(), network.vertexCount());
-    std::size_t near = 0;
-    VertexId nearest = noVertex;
-    for (const Point3 &sample : samples) {
-        nearest = network.nearestVertex(sample, nearest);
-        near += network.projectExactly(nearest, sample).squaredDistance <= far * far ? 1 : 0;
-    }
-    const SampleSupport support(toVcg(sampler.bounds()), samples);
-    return {static_cast<double>(near) / static_cast<double>(samples.size()),
+    const double far =
+        meanEdgeLength(network.mesh()) * wideningForFewPoints(points, network.vertexCount());
+    const auto near = std::count_if(distances.squared.begin(), distances.squared.end(),
+                                    [&](Scalar squared) { return squared <= far * far; });
+    Box3 bounds;
+    for (const Point3 &sample : distances.samples)
+        bounds.Add(sample);
+    const SampleSupport support(bounds, distances.samples);
+    return {static_cast<double>(near) / static_cast<double>(distances.samples.size()),
             unsupportedShareOfArea(network.mesh(), support, far)};
 }
 

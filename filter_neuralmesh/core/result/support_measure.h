@@ -2,9 +2,7 @@
 // Whether the mesh is where the points are, and nowhere else.
 #pragma once
 
-#include "core/network/growing_network.h"
-#include "neuralmesh/random.h"
-#include "neuralmesh/sampler.h"
+#include "core/result/sample_distances.h"
 
 namespace neuralmesh {
 
@@ -15,8 +13,8 @@ struct SupportFigures {
     double unsupportedArea = 0; ///< share of the mesh's area that is far from all samples
 };
 
-/// Draws `samplesPerVertex` samples for each vertex.
-SupportFigures measureSupport(const GrowingNetwork &network, const Sampler &sampler, Random &random,
-                              std::size_t samplesPerVertex);
+/// Of a target space of so many points, of which these are samples.
+SupportFigures supportOf(const GrowingNetwork &network, const SampleDistances &distances,
+                         std::size_t points);
 
 } // namespace neuralmesh

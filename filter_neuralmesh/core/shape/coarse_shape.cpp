@@ -146,9 +146,10 @@ class ShapeSearch {
 public:
     /// For a start of so many vertices.
     ShapeSearch(const std::vector<Point3> &points, std::size_t pointCount, int vertices,
-                const GridSize &cells, const Progress &progress)
-        : points_(points), pointCount_(static_cast<double>(pointCount)),
-          startFaces_(2.0 * vertices), index_(points), field_(points, cells), progress_(progress)
+                const GridSize &cells, Workers &workers, const Progress &progress)
+        : workers_(workers), points_(points), pointCount_(static_cast<double>(pointCount)),
+          startFaces_(2.0 * vertices), index_(points), field_(points, cells, workers),
+          progress_(progress)
     {
     }
 
@@ -265,9 +266,9 @@ private:
 
     Reading read()
     {
-        Reading reading{
-            readShape(insideness(), points_, supportRadii(resolution()).far * resolution()),
-            resolution()};
+        Reading reading{readShape(workers_, insideness(), points_,
+                                  supportRadii(resolution()).far * resolution()),
+                        resolution()};
         spacingInGrid_ = std::sqrt(areaOf(reading.surface().soup) / pointCount_);
         unexplained_ = reading.shape.unexplainedShare;
         return reading;
@@ -299,6 +300,7 @@ private:
                 std::max(farInCells / cells, farInSpacings * spacingInGrid_)};
     }
 
+    Workers &workers_;
     const std::vector<Point3> &points_;
     double pointCount_;
     double startFaces_;
@@ -337,7 +339,7 @@ void removeCrumbs(NeuralMesh &mesh, double leastArea)
 } // namespace
 
 CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
-                            std::size_t pointCount, int vertices, double hole,
+                            std::size_t pointCount, int vertices, double hole, Workers &workers,
                             const Progress &progress)
 {
     const GridFrame frame(points);
@@ -347,7 +349,7 @@ CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
     inGrid.reserve(points.size());
     for (const Point3 &p : points)
         inGrid.push_back(frame.toGrid(p));
-    ShapeSearch search(inGrid, pointCount, vertices, frame.size(), progress);
+    ShapeSearch search(inGrid, pointCount, vertices, frame.size(), workers, progress);
     CoarseShape shape = search.run();
     if (search.soup().faces.empty())
         return {};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
+#include "core/parallel/workers.h"
 #include "neuralmesh/progress.h"
 
 namespace neuralmesh {
@@ -42,7 +43,7 @@ struct CoarseShape {
 /// Tells `progress` the share of the work, as if the finest grid were needed, and throws Cancelled
 /// where it says so.
 CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
-                            std::size_t pointCount, int vertices, double hole,
+                            std::size_t pointCount, int vertices, double hole, Workers &workers,
                             const Progress &progress = {});
 
 } // namespace neuralmesh

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/shape/grid_loops.h"
+
 namespace neuralmesh {
 namespace {
 
@@ -43,21 +45,32 @@ NodeBox innerNodes(const Grid &grid)
     return {{1, 1, 1}, {cells.x - 1, cells.y - 1, cells.z - 1}};
 }
 
-void smooth(Grid &grid, const NodeBox &box, int times)
+void smooth(Workers &workers, Grid &grid, const NodeBox &box, int times)
 {
-    const auto &[low, high] = box;
-    const int count = high[2] - low[2] + 1;
-    std::vector<float> scratch(static_cast<std::size_t>(count) + 2);
+    const int count = box.high[2] - box.low[2] + 1;
+    const int rows[] = {box.high[0] - box.low[0] + 1, box.high[1] - box.low[1] + 1};
+    const auto withScratch = [&](int axis, const auto &visit) {
+        const int from = box.low[axis];
+        const std::size_t together = 1 + nodesOfChunk / (static_cast<std::size_t>(rows[1 - axis]) *
+                                                         static_cast<std::size_t>(count));
+        workers.forEachChunk(static_cast<std::size_t>(rows[axis]), together,
+                             [&](std::size_t first, std::size_t end, int) {
+                                 std::vector<float> scratch(static_cast<std::size_t>(count) + 2);
+                                 for (std::size_t i = first; i < end; ++i)
+                                     visit(from + static_cast<int>(i), scratch.data());
+                             });
+    };
     for (int pass = 0; pass < times; ++pass) {
-        for (int x = low[0]; x <= high[0]; ++x) {
-            for (int y = low[1]; y <= high[1]; ++y)
-                smoothAlong(grid.data() + grid.index(x, y, low[2]), scratch.data(), count);
-            smoothAcross(grid.data() + grid.index(x, low[1], low[2]), grid.strideY(),
-                         high[1] - low[1] + 1, scratch.data(), count);
-        }
-        for (int y = low[1]; y <= high[1]; ++y)
-            smoothAcross(grid.data() + grid.index(low[0], y, low[2]), grid.strideX(),
-                         high[0] - low[0] + 1, scratch.data(), count);
+        withScratch(0, [&](int x, float *scratch) {
+            for (int y = box.low[1]; y <= box.high[1]; ++y)
+                smoothAlong(grid.data() + grid.index(x, y, box.low[2]), scratch, count);
+            smoothAcross(grid.data() + grid.index(x, box.low[1], box.low[2]), grid.strideY(),
+                         rows[1], scratch, count);
+        });
+        withScratch(1, [&](int y, float *scratch) {
+            smoothAcross(grid.data() + grid.index(box.low[0], y, box.low[2]), grid.strideX(),
+                         rows[0], scratch, count);
+        });
     }
 }
 

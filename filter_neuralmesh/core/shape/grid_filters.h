@@ -2,6 +2,7 @@
 // Filters of functions on grids, and from one grid to another.
 #pragma once
 
+#include "core/parallel/workers.h"
 #include "core/shape/grid.h"
 
 namespace neuralmesh {
@@ -17,7 +18,7 @@ NodeBox innerNodes(const Grid &grid);
 
 /// Convolves the nodes of the box, which must be inner ones, with the binomial kernel (1, 2, 1) / 4
 /// along each axis, so many times. Nodes around the box stay.
-void smooth(Grid &grid, const NodeBox &box, int times);
+void smooth(Workers &workers, Grid &grid, const NodeBox &box, int times);
 
 /// The grid of twice as many cells, interpolated.
 Grid doubled(const Grid &coarse);

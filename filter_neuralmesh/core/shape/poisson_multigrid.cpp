@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/shape/grid_loops.h"
+
 namespace neuralmesh {
 namespace {
 
@@ -44,10 +46,11 @@ void clearHeld(const Grid &isFree, std::size_t row, int last, float *__restrict 
         values[z] *= free[z];
 }
 
-void relax(const Grid &u, const Grid &f, const Grid &isFree, float weight, Grid &next)
+void relax(Workers &workers, const Grid &u, const Grid &f, const Grid &isFree, float weight,
+           Grid &next)
 {
     const int last = u.cells().z;
-    forEachInnerRow(u, [&](std::size_t row) {
+    forEachInnerRow(workers, u, [&](std::size_t row) {
         relaxRow(u.data() + row, f.data() + row, u.strideX(), u.strideY(), last, weight,
                  next.data() + row);
         clearHeld(isFree, row, last, next.data() + row);
@@ -73,10 +76,10 @@ void sweep(Grid &u, const Grid &f, const Grid &isFree, int times)
         });
 }
 
-void computeResidual(const Grid &u, const Grid &f, const Grid &isFree, Grid &r)
+void computeResidual(Workers &workers, const Grid &u, const Grid &f, const Grid &isFree, Grid &r)
 {
     const int last = u.cells().z;
-    forEachInnerRow(u, [&](std::size_t row) {
+    forEachInnerRow(workers, u, [&](std::size_t row) {
         residualRow(u.data() + row, f.data() + row, u.strideX(), u.strideY(), last, r.data() + row);
         clearHeld(isFree, row, last, r.data() + row);
     });
@@ -94,46 +97,56 @@ void meanOfRows(const float *centre, std::ptrdiff_t sx, std::ptrdiff_t sy, int l
 }
 
 /// Full weighting, times the squared ratio of the distances of the nodes.
-void restrictTo(const Grid &fine, Grid &coarse)
+void restrictTo(Workers &workers, const Grid &fine, Grid &coarse)
 {
     const int last = fine.cells().z;
-    std::vector<float> mean(static_cast<std::size_t>(last) + 1);
-    for (int x = 1; x < coarse.cells().x; ++x)
-        for (int y = 1; y < coarse.cells().y; ++y) {
-            meanOfRows(fine.data() + fine.index(2 * x, 2 * y, 0), fine.strideX(), fine.strideY(),
-                       last, mean.data());
-            float *row = coarse.data() + coarse.index(x, y, 0);
-            const float *m = mean.data();
-            for (std::ptrdiff_t z = 1; z < coarse.cells().z; ++z)
-                row[z] = m[2 * z - 1] + 2 * m[2 * z] + m[2 * z + 1];
-        }
+    forEachPlanes(workers, coarse, 1, coarse.cells().x - 1, [&](int first, int end) {
+        std::vector<float> mean(static_cast<std::size_t>(last) + 1);
+        for (int x = first; x < end; ++x)
+            for (int y = 1; y < coarse.cells().y; ++y) {
+                meanOfRows(fine.data() + fine.index(2 * x, 2 * y, 0), fine.strideX(),
+                           fine.strideY(), last, mean.data());
+                float *row = coarse.data() + coarse.index(x, y, 0);
+                const float *m = mean.data();
+                for (std::ptrdiff_t z = 1; z < coarse.cells().z; ++z)
+                    row[z] = m[2 * z - 1] + 2 * m[2 * z] + m[2 * z + 1];
+            }
+    });
+}
+
+/// One row of the fine grid along z from those of the coarse grid around it.
+void prolongRow(const Grid &coarse, int x, int y, float *__restrict m, float *__restrict fine)
+{
+    const int columns = coarse.cells().z;
+    const float *low = coarse.data() + coarse.index(x / 2, y / 2, 0);
+    const std::ptrdiff_t dx = (x & 1) != 0 ? coarse.strideX() : 0;
+    const std::ptrdiff_t dy = (y & 1) != 0 ? coarse.strideY() : 0;
+    for (int z = 0; z <= columns; ++z)
+        m[z] = 0.25F * (low[z] + low[z + dx] + low[z + dy] + low[z + dx + dy]);
+    for (std::ptrdiff_t z = 0; z < columns; ++z) {
+        fine[2 * z] = m[z];
+        fine[2 * z + 1] = 0.5F * (m[z] + m[z + 1]);
+    }
 }
 
 /// Adds the coarse correction, interpolated, at the nodes that are not held.
-void addProlonged(const Grid &coarse, const Grid &isFree, Grid &fine)
+void addProlonged(Workers &workers, const Grid &coarse, const Grid &isFree, Grid &fine)
 {
-    const int columns = coarse.cells().z;
-    std::vector<float> mean(static_cast<std::size_t>(columns) + 1);
-    std::vector<float> added(static_cast<std::size_t>(fine.cells().z) + 1);
-    for (int x = 1; x < fine.cells().x; ++x)
-        for (int y = 1; y < fine.cells().y; ++y) {
-            const float *low = coarse.data() + coarse.index(x / 2, y / 2, 0);
-            const std::ptrdiff_t dx = (x & 1) != 0 ? coarse.strideX() : 0;
-            const std::ptrdiff_t dy = (y & 1) != 0 ? coarse.strideY() : 0;
-            float *__restrict m = mean.data();
-            for (int z = 0; z <= columns; ++z)
-                m[z] = 0.25F * (low[z] + low[z + dx] + low[z + dy] + low[z + dx + dy]);
-            float *__restrict a = added.data();
-            for (std::ptrdiff_t z = 0; z < columns; ++z) {
-                a[2 * z] = m[z];
-                a[2 * z + 1] = 0.5F * (m[z] + m[z + 1]);
+    const int last = fine.cells().z;
+    forEachPlanes(workers, fine, 1, fine.cells().x - 1, [&](int first, int end) {
+        std::vector<float> mean(static_cast<std::size_t>(coarse.cells().z) + 1);
+        std::vector<float> added(static_cast<std::size_t>(last) + 1);
+        for (int x = first; x < end; ++x)
+            for (int y = 1; y < fine.cells().y; ++y) {
+                prolongRow(coarse, x, y, mean.data(), added.data());
+                const std::size_t row = fine.index(x, y, 0);
+                clearHeld(isFree, row, last, added.data());
+                const float *a = added.data();
+                float *__restrict v = fine.data() + row;
+                for (int z = 1; z < last; ++z)
+                    v[z] += a[z];
             }
-            const std::size_t row = fine.index(x, y, 0);
-            clearHeld(isFree, row, fine.cells().z, a);
-            float *__restrict v = fine.data() + row;
-            for (int z = 1; z < fine.cells().z; ++z)
-                v[z] += a[z];
-        }
+    });
 }
 
 /// Calls visit(coarse index) for the nodes of the coarse grid around a node of the fine one, the
@@ -176,7 +189,7 @@ void holdCoarser(const Grid &fine, Grid &coarse)
 
 } // namespace
 
-PoissonMultigrid::PoissonMultigrid(const GridSize &cells)
+PoissonMultigrid::PoissonMultigrid(const GridSize &cells, Workers &workers) : workers_(&workers)
 {
     GridSize size = cells;
     const auto canHalve = [](int n) { return n % 2 == 0 && n > coarsestCells; };
@@ -211,16 +224,16 @@ void PoissonMultigrid::cycle(Grid &u, const Grid &f, std::size_t level) const
     if (level + 1 == levels_.size())
         return sweep(u, f, isFree, coarsestSweeps);
     Grid &scratch = levels_[level].residual;
-    relax(u, f, isFree, firstWeight, scratch);
-    relax(scratch, f, isFree, secondWeight, u);
-    computeResidual(u, f, isFree, scratch);
+    relax(*workers_, u, f, isFree, firstWeight, scratch);
+    relax(*workers_, scratch, f, isFree, secondWeight, u);
+    computeResidual(*workers_, u, f, isFree, scratch);
     Level &below = levels_[level + 1];
-    restrictTo(scratch, below.source);
+    restrictTo(*workers_, scratch, below.source);
     below.correction.fill(0);
     cycle(below.correction, below.source, level + 1);
-    addProlonged(below.correction, isFree, u);
-    relax(u, f, isFree, secondWeight, scratch);
-    relax(scratch, f, isFree, firstWeight, u);
+    addProlonged(*workers_, below.correction, isFree, u);
+    relax(*workers_, u, f, isFree, secondWeight, scratch);
+    relax(*workers_, scratch, f, isFree, firstWeight, u);
 }
 
 } // namespace neuralmesh

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/parallel/workers.h"
 #include "core/shape/grid.h"
 
 namespace neuralmesh {
@@ -15,7 +16,7 @@ namespace neuralmesh {
 class PoissonMultigrid {
 public:
     /// Coarser grids follow as long as the cells along each axis can be halved.
-    explicit PoissonMultigrid(const GridSize &cells);
+    PoissonMultigrid(const GridSize &cells, Workers &workers);
 
     /// Holds u at 0 where `isHeld` is not 0, beside the border. By node, as in Grid.
     void hold(const std::vector<unsigned char> &isHeld);
@@ -35,6 +36,7 @@ private:
 
     void cycle(Grid &u, const Grid &f, std::size_t level) const;
 
+    Workers *workers_;
     mutable std::vector<Level> levels_; ///< finest first; scratch of solve() but for isFree
 };
 

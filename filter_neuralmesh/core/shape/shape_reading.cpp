@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <optional>
 
 #include "core/shape/grid_place.h"
 
@@ -142,15 +143,21 @@ bool isSimpler(const LevelSurface &a, const LevelSurface &b)
 
 } // namespace
 
-ShapeReading readShape(const Grid &inside, const std::vector<Point3> &points, double far)
+ShapeReading readShape(Workers &workers, const Grid &inside, const std::vector<Point3> &points,
+                       double far)
 {
     const std::vector<std::uint32_t> cells = cellsBetween(inside, lowestLevel, highestLevel);
-    PartFinder finder(inside);
     ShapeReading reading;
     std::vector<LevelSurface> &surfaces = reading.surfaces;
-    for (const float level : levels)
-        surfaces.push_back(judge(marchTetrahedra(inside, level, cells), points,
-                                 static_cast<int>(std::lround(far)), finder));
+    surfaces.resize(std::size(levels));
+    std::vector<std::optional<PartFinder>> finders(static_cast<std::size_t>(workers.count()));
+    workers.forEachChunk(surfaces.size(), 1, [&](std::size_t i, std::size_t, int worker) {
+        std::optional<PartFinder> &finder = finders[static_cast<std::size_t>(worker)];
+        if (!finder)
+            finder.emplace(inside);
+        surfaces[i] = judge(marchTetrahedra(inside, levels[i], cells), points,
+                            static_cast<int>(std::lround(far)), *finder);
+    });
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const auto agreeing = static_cast<int>(
             std::count_if(surfaces.begin(), surfaces.end(), [&](const LevelSurface &other) {

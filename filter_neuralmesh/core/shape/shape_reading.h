@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/parallel/workers.h"
 #include "core/shape/grid.h"
 #include "core/shape/marching_tetrahedra.h"
 
@@ -49,6 +50,7 @@ struct ShapeReading {
 
 /// `inside` is positive inside, at most 1 and not positive at the border of the grid. A point is
 /// far from the surface from `far` cells on.
-ShapeReading readShape(const Grid &inside, const std::vector<Point3> &points, double far);
+ShapeReading readShape(Workers &workers, const Grid &inside, const std::vector<Point3> &points,
+                       double far);
 
 } // namespace neuralmesh

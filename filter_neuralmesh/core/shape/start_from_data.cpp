@@ -23,7 +23,8 @@ constexpr std::size_t samplesPerPoint = 4;
 } // namespace
 
 CoarseShape startFromData(NeuralMesh &mesh, const Sampler &sampler,
-                          const GrowthParameters &parameters, const Progress &progress)
+                          const GrowthParameters &parameters, Workers &workers,
+                          const Progress &progress)
 {
     Random random = randomStream(parameters.seed, Purpose::shape);
     const std::size_t points = std::min(mostSamples, sampler.pointCount());
@@ -34,7 +35,7 @@ CoarseShape startFromData(NeuralMesh &mesh, const Sampler &sampler,
     const std::vector<Point3> even = withEvenDensity(drawn);
     const std::size_t distinct = even.size() < drawn.size() ? even.size() : sampler.pointCount();
     CoarseShape shape =
-        findCoarseShape(mesh, even, distinct, vertices, parameters.maxHoleSize, progress);
+        findCoarseShape(mesh, even, distinct, vertices, parameters.maxHoleSize, workers, progress);
     shape.isTrusted = shape.isTrusted && mesh.vn <= parameters.targetVertexCount;
     return shape;
 }

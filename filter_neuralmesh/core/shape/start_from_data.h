@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/mesh/neural_mesh.h"
+#include "core/parallel/workers.h"
 #include "core/shape/coarse_shape.h"
 #include "neuralmesh/parameters.h"
 #include "neuralmesh/progress.h"
@@ -14,6 +15,7 @@ namespace neuralmesh {
 /// needs more vertices than the target has; `mesh` is then of no use. Throws Cancelled where
 /// `progress` says so.
 CoarseShape startFromData(NeuralMesh &mesh, const Sampler &sampler,
-                          const GrowthParameters &parameters, const Progress &progress = {});
+                          const GrowthParameters &parameters, Workers &workers,
+                          const Progress &progress = {});
 
 } // namespace neuralmesh

@@ -22,9 +22,10 @@ constexpr int levelSmoothings = 2;
 
 } // namespace
 
-WindingField::WindingField(const std::vector<Point3> &points, const GridSize &cells)
-    : points_(points), step_((points.size() - 1) / pointsOfFirstGrid + 1), solver_(cells),
-      field_(cells)
+WindingField::WindingField(const std::vector<Point3> &points, const GridSize &cells,
+                           Workers &workers)
+    : workers_(workers), points_(points), step_((points.size() - 1) / pointsOfFirstGrid + 1),
+      solver_(cells, workers), field_(cells)
 {
     locate();
     leanToThinnestAxis();
@@ -65,7 +66,7 @@ void WindingField::leanToThinnestAxis()
 void WindingField::refine()
 {
     field_ = doubled(field_);
-    solver_ = PoissonMultigrid(field_.cells());
+    solver_ = PoissonMultigrid(field_.cells(), workers_);
     const std::size_t formerStep = step_;
     step_ = (step_ - 1) / 4 + 1; // as many for an area in squares of a cell
     locate();
@@ -87,6 +88,16 @@ void WindingField::refine()
     }
 }
 
+template <class Visit> void WindingField::forEachPlace(const Visit &visit)
+{
+    constexpr std::size_t placesOfChunk = 4000;
+    workers_.forEachChunk(places_.size(), placesOfChunk,
+                          [&](std::size_t first, std::size_t end, int) {
+                              for (std::size_t i = first; i < end; ++i)
+                                  visit(i);
+                          });
+}
+
 /// The inner nodes up to so many cells from the cells of points.
 NodeBox WindingField::nodesAround(int distance) const
 {
@@ -103,7 +114,7 @@ void WindingField::improve(int smoothings)
     source_.fill(0);
     for (std::size_t i = 0; i < places_.size(); ++i)
         splatDivergence(source_, places_[i], normals_[i]);
-    smooth(source_, nodesAround(smoothings + 1), smoothings);
+    smooth(workers_, source_, nodesAround(smoothings + 1), smoothings);
     solver_.solve(field_, source_, cyclesPerSolution);
     descend(smoothings);
     turnNormals();
@@ -118,15 +129,14 @@ void WindingField::descend(int smoothings)
         splat(source_, place, 0.5F - interpolate(field_, place));
     change_.fill(0);
     solver_.solve(change_, source_, cyclesPerSolution);
-    smooth(change_, nodesAround(smoothings + 1), smoothings);
-    descent_.clear();
-    for (const GridPlace &place : places_)
-        descent_.push_back(gradientAt(change_, place) * -1);
+    smooth(workers_, change_, nodesAround(smoothings + 1), smoothings);
+    descent_.resize(places_.size());
+    forEachPlace([&](std::size_t i) { descent_[i] = gradientAt(change_, places_[i]) * -1; });
 
     source_.fill(0);
     for (std::size_t i = 0; i < places_.size(); ++i)
         splatDivergence(source_, places_[i], descent_[i]);
-    smooth(source_, nodesAround(smoothings + 1), smoothings);
+    smooth(workers_, source_, nodesAround(smoothings + 1), smoothings);
     change_.fill(0);
     solver_.solve(change_, source_, cyclesPerSolution);
     double along = 0;
@@ -146,12 +156,12 @@ void WindingField::descend(int smoothings)
 /// Half-way, since normals that follow the gradient all the way swing from round to round.
 void WindingField::turnNormals()
 {
-    for (std::size_t i = 0; i < places_.size(); ++i) {
+    forEachPlace([&](std::size_t i) {
         Vector &normal = normals_[i];
         const float length = normal.Norm();
         const Vector direction = gradientAt(field_, places_[i]).Normalize() * -1;
         normal = (Vector(normal).Normalize() + direction).Normalize() * length;
-    }
+    });
 }
 
 void WindingField::holdOutside(const std::vector<unsigned char> &isOutside)
@@ -170,8 +180,8 @@ Grid WindingField::levelOfPoints() const
         splat(sums[0], place, interpolate(field_, place));
         splat(counts[0], place, 1);
     }
-    smooth(sums[0], nodesAround(levelSmoothings + 1), levelSmoothings);
-    smooth(counts[0], nodesAround(levelSmoothings + 1), levelSmoothings);
+    smooth(workers_, sums[0], nodesAround(levelSmoothings + 1), levelSmoothings);
+    smooth(workers_, counts[0], nodesAround(levelSmoothings + 1), levelSmoothings);
     for (int i = 0; i < levelHalvings; ++i) {
         sums.push_back(halvedSums(sums.back()));
         counts.push_back(halvedSums(counts.back()));

@@ -12,6 +12,7 @@
 
 #include <vector>
 
+#include "core/parallel/workers.h"
 #include "core/shape/grid.h"
 #include "core/shape/grid_filters.h"
 #include "core/shape/grid_place.h"
@@ -23,7 +24,7 @@ class WindingField {
 public:
     /// Points in the box of a grid of this size, a cell or more from its border. A coarse grid
     /// takes a few thousand of them, evenly out of their order.
-    WindingField(const std::vector<Point3> &points, const GridSize &cells);
+    WindingField(const std::vector<Point3> &points, const GridSize &cells, Workers &workers);
 
     /// Goes over to a grid of twice as many cells.
     void refine();
@@ -47,12 +48,15 @@ public:
 private:
     using Vector = vcg::Point3f;
 
+    /// Calls visit(i) for each of the places, on the workers' threads.
+    template <class Visit> void forEachPlace(const Visit &visit);
     void locate();
     void leanToThinnestAxis();
     NodeBox nodesAround(int distance) const;
     void descend(int smoothings);
     void turnNormals();
 
+    Workers &workers_;
     const std::vector<Point3> &points_;
     std::size_t step_ = 1;          ///< every so many-th point takes part
     std::vector<GridPlace> places_; ///< of the points that take part

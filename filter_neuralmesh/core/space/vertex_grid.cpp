@@ -19,6 +19,18 @@ int clampedCell(Scalar coordinate, Scalar origin, Scalar cellsPerUnit, int cells
     return place < static_cast<Scalar>(cells) ? static_cast<int>(place) : cells - 1;
 }
 
+/// Blocks are cubes of so many cells along each axis.
+constexpr std::size_t blockSide = 4;
+constexpr std::size_t cellsOfBlock = blockSide * blockSide * blockSide;
+
+std::uint32_t placeInBlock(int x, int y, int z)
+{
+    constexpr auto mask = static_cast<int>(blockSide - 1);
+    return static_cast<std::uint32_t>(((z & mask) * static_cast<int>(blockSide) + (y & mask)) *
+                                          static_cast<int>(blockSide) +
+                                      (x & mask));
+}
+
 double cellsAlong(double extent, double cellSize)
 {
     return std::max(1.0, std::ceil(extent / cellSize));
@@ -38,12 +50,26 @@ VertexGrid::CellCoordinates VertexGrid::coordinates(const Point3 &position) cons
             clampedCell(position.Z(), bounds_.min.Z(), cellsPerUnit_, cellsZ_)};
 }
 
-VertexGrid::CellId VertexGrid::cellAt(const CellCoordinates &c) const
+std::size_t VertexGrid::blockAt(const CellCoordinates &c) const
 {
-    return static_cast<CellId>((static_cast<std::size_t>(c.z) * static_cast<std::size_t>(cellsY_) +
-                                static_cast<std::size_t>(c.y)) *
-                                   static_cast<std::size_t>(cellsX_) +
-                               static_cast<std::size_t>(c.x));
+    const auto of = [](int cell) { return static_cast<std::size_t>(cell) / blockSide; };
+    return (of(c.z) * blocksY_ + of(c.y)) * blocksX_ + of(c.x);
+}
+
+VertexId VertexGrid::firstIn(const CellCoordinates &c) const
+{
+    const CellId block = blocks_[blockAt(c)];
+    return block == noCell ? noVertex : firstInCell_[block + placeInBlock(c.x, c.y, c.z)];
+}
+
+VertexGrid::CellId VertexGrid::cellAt(const CellCoordinates &c)
+{
+    CellId &block = blocks_[blockAt(c)];
+    if (block == noCell) {
+        block = static_cast<CellId>(firstInCell_.size());
+        firstInCell_.resize(firstInCell_.size() + cellsOfBlock, noVertex);
+    }
+    return block + placeInBlock(c.x, c.y, c.z);
 }
 
 void VertexGrid::link(VertexId id, CellId cell)
@@ -103,11 +129,26 @@ void VertexGrid::regridIfNeeded()
 {
     if (size_ < 2 * sizeAtRebuild_ + 8)
         return;
-    layOutCells(static_cast<std::size_t>(cellsPerVertex * static_cast<double>(size_)));
     sizeAtRebuild_ = size_;
+    // Cells of half the side hold a quarter of the vertices where these lie on a surface, in eight
+    // times as many cells. Blocks, which are there whether they hold any or not, must stay few.
+    for (;;) {
+        layOutCells(static_cast<std::size_t>(cellsPerVertex_ * static_cast<double>(size_)));
+        if (linkAll() <= mostInCell || blocks_.size() > size_)
+            return;
+        cellsPerVertex_ *= 2;
+    }
+}
+
+double VertexGrid::linkAll()
+{
+    std::size_t held = 0;
     for (VertexId id = 0; id < entries_.size(); ++id)
-        if (entries_[id].cell != noCell)
+        if (entries_[id].cell != noCell) {
             link(id, cellAt(coordinates(entries_[id].position)));
+            held += entries_[id].next == noVertex ? 1 : 0;
+        }
+    return static_cast<double>(size_) / static_cast<double>(held);
 }
 
 void VertexGrid::layOutCells(std::size_t cellCount)
@@ -128,14 +169,18 @@ void VertexGrid::layOutCells(std::size_t cellCount)
     cellsX_ = static_cast<int>(cellsAlong(extent.X(), high));
     cellsY_ = static_cast<int>(cellsAlong(extent.Y(), high));
     cellsZ_ = static_cast<int>(cellsAlong(extent.Z(), high));
-    firstInCell_.assign(static_cast<std::size_t>(cellsX_) * static_cast<std::size_t>(cellsY_) *
-                            static_cast<std::size_t>(cellsZ_),
-                        noVertex);
+    const auto blocksAlong = [](int cells) {
+        return (static_cast<std::size_t>(cells) + blockSide - 1) / blockSide;
+    };
+    blocksX_ = blocksAlong(cellsX_);
+    blocksY_ = blocksAlong(cellsY_);
+    blocks_.assign(blocksX_ * blocksY_ * blocksAlong(cellsZ_), noCell);
+    firstInCell_.clear();
 }
 
-void VertexGrid::improve(CellId cell, const Point3 &query, Candidate &best) const
+void VertexGrid::improve(const CellCoordinates &c, const Point3 &query, Candidate &best) const
 {
-    for (VertexId id = firstInCell_[cell]; id != noVertex; id = entries_[id].next) {
+    for (VertexId id = firstIn(c); id != noVertex; id = entries_[id].next) {
         const Scalar d = (entries_[id].position - query).SquaredNorm();
         if (d < best.squaredDistance || (d == best.squaredDistance && id < best.id))
             best = {d, id};
@@ -156,7 +201,7 @@ public:
 
     void search(Candidate &best) const
     {
-        grid_.improve(grid_.cellAt(centre_), query_, best);
+        grid_.improve(centre_, query_, best);
         for (int reach = 1;; ++reach) {
             const Scalar least =
                 std::min({x_.leastAt(reach), y_.leastAt(reach), z_.leastAt(reach)});
@@ -229,8 +274,7 @@ private:
         for (int x = -reach; x <= reach; x += stride)
             if (x >= x_.lowest() && x <= x_.highest() &&
                 ofRow + x_.squaredDistance(x) <= best.squaredDistance)
-                grid_.improve(grid_.cellAt({centre_.x + x, centre_.y + y, centre_.z + z}), query_,
-                              best);
+                grid_.improve({centre_.x + x, centre_.y + y, centre_.z + z}, query_, best);
     }
 
     const VertexGrid &grid_;
@@ -250,9 +294,10 @@ VertexId VertexGrid::nearest(const Point3 &query, VertexId hint) const
     return best.id;
 }
 
-bool VertexGrid::countDown(CellId cell, const Point3 &query, Scalar squaredRadius, int &count) const
+bool VertexGrid::countDown(const CellCoordinates &c, const Point3 &query, Scalar squaredRadius,
+                           int &count) const
 {
-    for (VertexId id = firstInCell_[cell]; id != noVertex; id = entries_[id].next)
+    for (VertexId id = firstIn(c); id != noVertex; id = entries_[id].next)
         if ((entries_[id].position - query).SquaredNorm() <= squaredRadius && --count <= 0)
             return true;
     return false;
@@ -261,7 +306,7 @@ bool VertexGrid::countDown(CellId cell, const Point3 &query, Scalar squaredRadiu
 bool VertexGrid::hasWithin(const Point3 &query, Scalar radius, int count) const
 {
     const Scalar squaredRadius = radius * radius;
-    const CellId own = cellAt(coordinates(query));
+    const CellCoordinates own = coordinates(query);
     if (countDown(own, query, squaredRadius, count))
         return true;
     const CellCoordinates low = coordinates(query - Point3(radius, radius, radius));
@@ -269,8 +314,8 @@ bool VertexGrid::hasWithin(const Point3 &query, Scalar radius, int count) const
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x)
-                if (const CellId cell = cellAt({x, y, z});
-                    cell != own && countDown(cell, query, squaredRadius, count))
+                if ((x != own.x || y != own.y || z != own.z) &&
+                    countDown({x, y, z}, query, squaredRadius, count))
                     return true;
     return false;
 }

@@ -2,7 +2,9 @@
 // The dynamic nearest-neighbour index of step 2: a uniform grid that follows moving vertices.
 //
 // The paper uses an octree. A grid serves better here because the network spreads its vertices
-// evenly over the target, so one cell size fits all, and moving within a cell costs a store.
+// evenly over the target, so one cell size fits all, and moving within a cell costs a store. A
+// surface passes few of the cells: they are made block by block, where there are vertices, so that
+// they can be as small as the vertices are dense.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +16,10 @@ namespace neuralmesh {
 
 class VertexGrid {
 public:
-    /// Cells for each vertex at the time of a rebuild; findWinner in bench/bench_steps.cpp times
-    /// it.
+    /// Cells for each vertex at the time of a rebuild, unless cells then hold more vertices, in the
+    /// mean of those that hold any, than the latter; findWinner in bench/bench_steps.cpp times it.
     static constexpr double cellsPerVertex = 4;
+    static constexpr double mostInCell = 2.5;
 
     /// Points may lie outside the bounds: they go to the outermost cells, where they cost time
     /// but no exactness.
@@ -45,8 +48,7 @@ public:
         for (int z = low.z; z <= high.z; ++z)
             for (int y = low.y; y <= high.y; ++y)
                 for (int x = low.x; x <= high.x; ++x)
-                    for (VertexId id = firstInCell_[cellAt({x, y, z})]; id != noVertex;
-                         id = entries_[id].next)
+                    for (VertexId id = firstIn({x, y, z}); id != noVertex; id = entries_[id].next)
                         if ((entries_[id].position - query).SquaredNorm() <= radius * radius)
                             visit(id);
     }
@@ -76,19 +78,29 @@ private:
     class Shells;
 
     CellCoordinates coordinates(const Point3 &position) const;
-    CellId cellAt(const CellCoordinates &c) const;
+    std::size_t blockAt(const CellCoordinates &c) const;
+    /// The first vertex of a cell, or noVertex.
+    VertexId firstIn(const CellCoordinates &c) const;
+    /// The cell, made where it is not there.
+    CellId cellAt(const CellCoordinates &c);
     void link(VertexId id, CellId cell);
     void unlink(VertexId id);
     void regridIfNeeded();
     void layOutCells(std::size_t cellCount);
-    void improve(CellId cell, const Point3 &query, Candidate &best) const;
+    /// Links all vertices; returns how many of them there are for each cell that holds any.
+    double linkAll();
+    void improve(const CellCoordinates &c, const Point3 &query, Candidate &best) const;
     /// Takes the vertices of a cell within the radius off `count`; whether none is left to find.
-    bool countDown(CellId cell, const Point3 &query, Scalar squaredRadius, int &count) const;
+    bool countDown(const CellCoordinates &c, const Point3 &query, Scalar squaredRadius,
+                   int &count) const;
 
     Box3 bounds_;
     Scalar cellsPerUnit_ = 1;
     int cellsX_ = 1, cellsY_ = 1, cellsZ_ = 1;
+    std::size_t blocksX_ = 1, blocksY_ = 1;
+    std::vector<CellId> blocks_; ///< the first cell of each block, or noCell
     std::vector<VertexId> firstInCell_;
+    double cellsPerVertex_ = cellsPerVertex;
     std::vector<Entry> entries_;
     std::size_t size_ = 0;
     std::size_t sizeAtRebuild_ = 0;

@@ -42,6 +42,7 @@ enum class Parameter {
     smoothingPasses,
     signalsPerSplit,
     inactivityFactor,
+    threads,
     counterDecay,
     snapshots,
     maxHoleSize

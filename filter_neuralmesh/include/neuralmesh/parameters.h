@@ -85,6 +85,9 @@ struct GrowthParameters {
     /// Vertex counts, ascending, at which the network is shown on its way.
     std::vector<int> snapshots;
     std::uint64_t seed = 1;
+    /// Threads that share the work, at most 256; 0: one for each core. The mesh is the same, bit
+    /// for bit, for any number.
+    int threads = 0;
 
     /// Throws InvalidInput, naming the parameter and its range.
     void validate() const;

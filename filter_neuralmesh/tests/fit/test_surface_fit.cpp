@@ -81,7 +81,8 @@ TEST(SurfaceFit, brings_vertices_onto_creases)
     NeuralMesh grown, fitted;
     const double before = rmsWithFit(false, points, points, grown);
     const double after = rmsWithFit(true, points, points, fitted);
-    EXPECT_LT(after, before / 4.5); // a sixth
+    // 0.23; growth by batches leaves an eighth less to the fit than one by one did.
+    EXPECT_LT(after, before / 4);
     // In units of half the cube's edge, 1 / sqrt(12) diagonals: 0.0022, a fiftieth of an edge of
     // the mesh, which is 0.11 long there.
     EXPECT_LT(after * std::sqrt(12.0), 0.0031);

@@ -101,6 +101,27 @@ TEST(Growth, the_same_seed_gives_the_same_mesh_and_another_seed_another)
     EXPECT_NE(positions(1), positions(2));
 }
 
+TEST(Growth, is_the_same_for_any_number_of_threads)
+{
+    // Enough vertices for several chunks of each loop, and for a grid of 64 cells.
+    const PointCloudSampler sampler(densePointsOnSphere());
+    const auto grown = [&](int threads) {
+        GrowthParameters parameters = withTarget(3000);
+        parameters.threads = threads;
+        NeuralMesh mesh;
+        const GrowthReport report = grow(mesh, sampler, parameters);
+        std::vector<Point3> positions;
+        for (const NeuralVertex &vertex : mesh.vert)
+            if (!vertex.IsD())
+                positions.push_back(vertex.cP());
+        positions.emplace_back(report.rmsError, report.maxError, report.unsupportedArea);
+        return positions;
+    };
+    const std::vector<Point3> alone = grown(1);
+    EXPECT_EQ(grown(2), alone);
+    EXPECT_EQ(grown(5), alone);
+}
+
 TEST(Growth, reproduces_table_1_with_the_papers_split_and_a_long_memory)
 {
     const PointCloudSampler sampler(densePointsOnSphere());

@@ -88,11 +88,13 @@ Figures measure(const NeuralMesh &mesh, GrowingNetwork &network, const Surface &
     });
     const double spacing = std::sqrt(area / mesh.vn);
     const std::vector<Point3> samples = samplesOf(surface, 40000, 5);
+    const SampleLocator locator = network.locator();
     int inside = 0;
     int uncovered = 0;
     double squares = 0;
     for (const Point3 &sample : samples) {
-        const StarProjection p = network.projectExactly(network.nearestVertex(sample), sample);
+        const StarProjection p =
+            network.locator().projectExactly(network.nearestVertex(sample), sample);
         if (!liesOnBoundary(mesh, p)) {
             ++inside;
             squares += p.squaredDistance;

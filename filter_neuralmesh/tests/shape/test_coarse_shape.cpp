@@ -13,13 +13,15 @@
 namespace neuralmesh {
 namespace {
 
+Workers alone; // threads change nothing: Growth.is_the_same_for_any_number_of_threads
+
 /// No gap is wider.
 constexpr double noHole = 100;
 constexpr int vertices = 200;
 
 CoarseShape shapeOf(const test::Points &points, NeuralMesh &mesh, double hole = noHole)
 {
-    const CoarseShape shape = findCoarseShape(mesh, points, points.size(), vertices, hole);
+    const CoarseShape shape = findCoarseShape(mesh, points, points.size(), vertices, hole, alone);
     validate(mesh);
     const TopologyFigures figures = measureTopology(mesh);
     EXPECT_EQ(figures.components, shape.components);
@@ -184,7 +186,7 @@ TEST(CoarseShape, of_an_open_sheet_among_strays_is_one_piece)
             points.emplace_back(2 * p.X() - 1, 2 * p.Y() - 1, 0.4 + 0.7 * p.Z());
         }
         NeuralMesh mesh;
-        findCoarseShape(mesh, points, points.size(), vertices, 0.1, {});
+        findCoarseShape(mesh, points, points.size(), vertices, 0.1, alone, {});
         EXPECT_EQ(measureTopology(mesh).components, 1) << seed;
     }
 }
@@ -303,7 +305,7 @@ TEST(CoarseShape, is_of_a_grid_as_fine_as_the_start)
     };
     const test::Points bar = test::latticePoints(40000, 80, isSolid, 1);
     NeuralMesh mesh;
-    const CoarseShape shape = findCoarseShape(mesh, bar, bar.size(), 4000, noHole);
+    const CoarseShape shape = findCoarseShape(mesh, bar, bar.size(), 4000, noHole, alone);
     EXPECT_TRUE(shape.isTrusted);
     EXPECT_EQ(shape.components, 1);
     EXPECT_EQ(shape.genus, 2);
@@ -328,7 +330,7 @@ TEST(CoarseShape, of_a_single_place_is_none)
 {
     NeuralMesh mesh;
     const CoarseShape shape =
-        findCoarseShape(mesh, test::Points(100, Point3(1, 2, 3)), 1, vertices, noHole);
+        findCoarseShape(mesh, test::Points(100, Point3(1, 2, 3)), 1, vertices, noHole, alone);
     EXPECT_FALSE(shape.isTrusted);
     EXPECT_EQ(shape.components, 0);
 }

@@ -8,6 +8,8 @@
 namespace neuralmesh {
 namespace {
 
+Workers alone; // threads change nothing: Growth.is_the_same_for_any_number_of_threads
+
 /// Not a cube, so that no axis can stand for another.
 constexpr GridSize cells{8, 12, 16};
 
@@ -25,7 +27,7 @@ TEST(GridFilters, smooth_turns_an_impulse_into_the_binomial_kernel)
 {
     Grid grid(cells);
     grid.at(4, 5, 6) = 4096;
-    smooth(grid, innerNodes(grid), 2);
+    smooth(alone, grid, innerNodes(grid), 2);
     const auto kernel = [](int offset) { // in sixteenths
         constexpr float row[] = {6, 4, 1};
         return std::abs(offset) > 2 ? 0 : row[std::abs(offset)];
@@ -40,12 +42,12 @@ TEST(GridFilters, smooth_keeps_sums_and_linear_functions_away_from_the_border)
 {
     Grid inner = test::noise(cells, 1, 3);
     const double before = sum(inner);
-    smooth(inner, innerNodes(inner), 2);
+    smooth(alone, inner, innerNodes(inner), 2);
     EXPECT_NEAR(sum(inner), before, 1e-4); // rounding of a thousand values in single precision
 
     Grid plane = test::sampled(cells, linear);
     const Grid expected = plane;
-    smooth(plane, innerNodes(plane), 1);
+    smooth(alone, plane, innerNodes(plane), 1);
     test::forEachNode(plane, [&](int x, int y, int z) {
         EXPECT_NEAR(plane.at(x, y, z), expected.at(x, y, z), 1e-5) << x << ' ' << y << ' ' << z;
     });
@@ -55,8 +57,8 @@ TEST(GridFilters, smooth_in_a_box_is_the_same_where_nothing_is_nearer_to_its_bor
 {
     Grid everywhere = test::noise(cells, 2, 4);
     Grid inBox = everywhere;
-    smooth(everywhere, innerNodes(everywhere), 2);
-    smooth(inBox, {{2, 2, 2}, {6, 10, 14}}, 2);
+    smooth(alone, everywhere, innerNodes(everywhere), 2);
+    smooth(alone, inBox, {{2, 2, 2}, {6, 10, 14}}, 2);
     for (std::size_t i = 0; i < inBox.size(); ++i)
         EXPECT_EQ(inBox[i], everywhere[i]) << i;
 }
@@ -65,7 +67,7 @@ TEST(GridFilters, smooth_changes_nothing_around_its_box)
 {
     const Grid before = test::noise(cells, 2);
     Grid after = before;
-    smooth(after, {{2, 3, 4}, {5, 7, 11}}, 2);
+    smooth(alone, after, {{2, 3, 4}, {5, 7, 11}}, 2);
     test::forEachNode(before, [&](int x, int y, int z) {
         const bool isIn = 2 <= x && x <= 5 && 3 <= y && y <= 7 && 4 <= z && z <= 11;
         const bool isChanged = after.at(x, y, z) != before.at(x, y, z);

@@ -11,6 +11,8 @@
 namespace neuralmesh {
 namespace {
 
+Workers alone; // threads change nothing: Growth.is_the_same_for_any_number_of_threads
+
 using Held = std::vector<unsigned char>;
 
 const GridSize cube = test::cube(32);
@@ -82,7 +84,7 @@ TEST(PoissonMultigrid, solves_for_a_product_of_sines)
         for (const int waves : {1, 3}) {
             const Grid solution = sines(cells, waves);
             Grid u(cells);
-            PoissonMultigrid(cells).solve(u, scaled(solution, eigenvalue(cells, waves)), 12);
+            PoissonMultigrid(cells, alone).solve(u, scaled(solution, eigenvalue(cells, waves)), 12);
             // Single precision: the smallest eigenvalue, 3 π² / cells², lifts rounding errors.
             EXPECT_LT(largestDifference(u, solution), 1e-4)
                 << cells.x << ' ' << cells.y << ' ' << cells.z << ", waves " << waves;
@@ -92,7 +94,7 @@ TEST(PoissonMultigrid, solves_for_a_product_of_sines)
 TEST(PoissonMultigrid, leaves_at_most_a_fifth_of_the_error_a_cycle)
 {
     for (const GridSize &cells : {cube, GridSize{32, 16, 24}}) {
-        const PoissonMultigrid solver(cells);
+        const PoissonMultigrid solver(cells, alone);
         const Grid f = test::noise(cells, 1, 1);
         Grid solution(cells);
         solver.solve(solution, f, 30);
@@ -118,12 +120,12 @@ TEST(PoissonMultigrid, holds_a_wall_at_zero)
         held[waves.index(x, y, z)] = x == cube.x / 2 ? 1 : 0;
     });
     const Grid f = scaled(solution, eigenvalue(cube, 2));
-    PoissonMultigrid solver(cube);
+    PoissonMultigrid solver(cube, alone);
     solver.hold(held);
     Grid u(cube);
     solver.solve(u, f, 12);
     EXPECT_LT(largestDifference(u, solution), 1e-4);
-    PoissonMultigrid(cube).solve(u, f, 12);
+    PoissonMultigrid(cube, alone).solve(u, f, 12);
     EXPECT_GT(largestDifference(u, solution), 0.1) << "The wall is not what makes the difference.";
 }
 
@@ -134,7 +136,7 @@ TEST(PoissonMultigrid, converges_beside_a_wall_between_the_planes_of_the_coarser
     Held held(f.size(), 0);
     test::forEachNode(
         f, [&](int x, int y, int z) { held[f.index(x, y, z)] = x == cube.x / 2 + 1 ? 1 : 0; });
-    PoissonMultigrid solver(cube);
+    PoissonMultigrid solver(cube, alone);
     solver.hold(held);
     Grid u(cube);
     solver.solve(u, f, 30);
@@ -149,7 +151,7 @@ TEST(PoissonMultigrid, converges_around_nodes_that_coarse_grids_do_not_see)
     Held held(f.size(), 0);
     for (unsigned char &isHeld : held)
         isHeld = random.unit() < 0.02 ? 1 : 0;
-    PoissonMultigrid solver(cube);
+    PoissonMultigrid solver(cube, alone);
     solver.hold(held);
     Grid u(cube);
     solver.solve(u, f, 30);

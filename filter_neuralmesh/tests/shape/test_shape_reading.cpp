@@ -11,6 +11,8 @@
 namespace neuralmesh {
 namespace {
 
+Workers alone; // threads change nothing: Growth.is_the_same_for_any_number_of_threads
+
 constexpr int fewestVotes = 3;
 constexpr double far = 2;
 
@@ -41,7 +43,7 @@ TEST(ShapeReading, all_levels_agree_on_a_torus_in_a_flat_box)
         const Point3 q = p - Point3(0.5, 0.5, 0.25);
         return 4 * (0.12 - std::hypot(std::hypot(q.X(), q.Y()) - 0.3, q.Z()));
     });
-    const ShapeReading reading = readShape(torus, pointsAt(torus), far);
+    const ShapeReading reading = readShape(alone, torus, pointsAt(torus), far);
     EXPECT_EQ(reading.votes, ShapeReading::levelCount);
     EXPECT_EQ(reading.surface(fewestVotes).components, 1);
     EXPECT_EQ(reading.surface(fewestVotes).genus, 1);
@@ -64,7 +66,7 @@ TEST(ShapeReading, takes_the_shape_of_most_levels_not_that_at_the_points)
             return -0.025;
         return q.X() > 0 && std::abs(q.Y()) < 0.08 ? 0.025 : 1.0;
     });
-    const ShapeReading reading = readShape(ring, pointsAt(ring, 0.1F), far);
+    const ShapeReading reading = readShape(alone, ring, pointsAt(ring, 0.1F), far);
     EXPECT_EQ(reading.votes, ShapeReading::levelCount - 1);
     EXPECT_EQ(reading.surface(fewestVotes).components, 1);
     EXPECT_EQ(reading.surface(fewestVotes).genus, 0);
@@ -81,7 +83,7 @@ TEST(ShapeReading, takes_the_simplest_shape_where_hardly_any_levels_agree)
         const int tenth = static_cast<int>(p.X() * 10); // odd ones are blocks
         return tenth % 2 == 1 ? 1.0 : heights[tenth / 2 - 1];
     });
-    const ShapeReading reading = readShape(blocks, pointsAt(blocks, 0.1F), far);
+    const ShapeReading reading = readShape(alone, blocks, pointsAt(blocks, 0.1F), far);
     EXPECT_EQ(reading.votes, 1);
     EXPECT_EQ(reading.surface(fewestVotes).components, 1);
     // Without a least number of votes, the first level's shape has as many as the others.
@@ -97,14 +99,14 @@ TEST(ShapeReading, leaves_out_parts_that_hold_hardly_any_points)
     const test::Points others = pointsAt(second);
     points.insert(points.end(), others.begin(),
                   others.begin() + static_cast<std::ptrdiff_t>(ShapeReading::leastPoints) - 1);
-    const ShapeReading one = readShape(both, points, far);
+    const ShapeReading one = readShape(alone, both, points, far);
     EXPECT_EQ(one.votes, ShapeReading::levelCount);
     EXPECT_EQ(one.surface(fewestVotes).components, 1);
     for (const Corners &face : one.surface(fewestVotes).soup.faces)
         EXPECT_LT(one.surface(fewestVotes).soup.points[face[0]].X(), 0.5);
 
     points.push_back(others.back());
-    EXPECT_EQ(readShape(both, points, far).surface(fewestVotes).components, 2);
+    EXPECT_EQ(readShape(alone, both, points, far).surface(fewestVotes).components, 2);
 }
 
 TEST(ShapeReading, counts_the_points_that_are_far_from_the_surface)
@@ -116,11 +118,11 @@ TEST(ShapeReading, counts_the_points_that_are_far_from_the_surface)
     // near; one cell beyond the sphere, all are.
     for (const Point3 &p : pointsAt(ball({0.5, 0.5, 0.5}, 0.2 + 1.0 / 32)))
         points.push_back(p);
-    EXPECT_EQ(readShape(one, points, far).surface(fewestVotes).missedShare, 0);
+    EXPECT_EQ(readShape(alone, one, points, far).surface(fewestVotes).missedShare, 0);
     points.resize(near);
     for (std::size_t i = 0; i < near; ++i)
         points.emplace_back(0.5, 0.5, 0.5);
-    EXPECT_EQ(readShape(one, points, far).surface(fewestVotes).missedShare, 0.5);
+    EXPECT_EQ(readShape(alone, one, points, far).surface(fewestVotes).missedShare, 0.5);
 }
 
 TEST(ShapeReading, tells_the_share_of_the_points_further_than_a_cell)
@@ -132,13 +134,13 @@ TEST(ShapeReading, tells_the_share_of_the_points_further_than_a_cell)
     test::Points points;
     for (const double cells : {0.0, 0.9, -0.9, 1.1, -1.1})
         points.emplace_back(0.5, 0.5, 0.8 + cells / 32);
-    EXPECT_DOUBLE_EQ(readShape(one, points, far).unexplainedShare, 0.4);
+    EXPECT_DOUBLE_EQ(readShape(alone, one, points, far).unexplainedShare, 0.4);
 }
 
 TEST(ShapeReading, of_a_field_without_an_inside_has_no_parts)
 {
     const Grid nowhere(test::cube(8), -1);
-    const ShapeReading reading = readShape(nowhere, {{0.5, 0.5, 0.5}}, far);
+    const ShapeReading reading = readShape(alone, nowhere, {{0.5, 0.5, 0.5}}, far);
     EXPECT_EQ(reading.surface(fewestVotes).components, 0);
     EXPECT_TRUE(reading.surface(fewestVotes).soup.faces.empty());
     EXPECT_EQ(reading.surface(fewestVotes).missedShare, 1);

@@ -11,6 +11,8 @@
 namespace neuralmesh {
 namespace {
 
+Workers alone; // threads change nothing: Growth.is_the_same_for_any_number_of_threads
+
 constexpr int resolution = 32;
 const GridSize cube = test::cube(resolution);
 const Point3 centre(0.5, 0.5, 0.5);
@@ -24,7 +26,7 @@ void learn(WindingField &field, int rounds, int smoothings)
 /// With the rounds and kernels that findCoarseShape() gives its first grid.
 WindingField learned(const test::Points &points, const GridSize &cells = cube)
 {
-    WindingField field(points, cells);
+    WindingField field(points, cells, alone);
     learn(field, 20, 8);
     return field;
 }
@@ -149,7 +151,7 @@ TEST(WindingField, takes_one_side_of_a_sheet_throughout)
 TEST(WindingField, holds_the_outside_at_0)
 {
     const test::Points points = sphere(0.3, 3000);
-    WindingField field(points, cube);
+    WindingField field(points, cube, alone);
     learn(field, 3, 8);
     // From a tenth of the unit cube beyond the sphere on.
     std::vector<unsigned char> outside(field.field().size(), 0);

@@ -81,7 +81,31 @@ _OF_NETWORK = {
             ("shareOfOpenSurface", "0.1", "0.4", "share of the area"),
         ],
     ),
-    **swept(_NETWORK, WALLS, [("sheetDistance", "0.4", "1.6", "mean edges")]),
+    **swept("core/network/sample_locator.cpp", WALLS, [("sheetDistance", "0.4", "1.6", "mean edges")]),
+    **fixed(
+        "core/network/sample_locator.cpp",
+        [
+            ("farthestClearance", "mean edges", "time follows from it, no mesh"),
+            ("rounding", "share", "far above that of double; no mesh follows from it"),
+        ],
+    ),
+    **swept(
+        "core/network/batch_learning.cpp",
+        LEARNED,
+        [("mostSmoothing", "0.25", "1", "share of the Laplacian")],
+    ),
+    **fixed(
+        "core/network/batch_learning.cpp",
+        [("manySteps", "steps", "0.94 to its power is 1e-7: no mesh follows from it")],
+    ),
+    **fixed(
+        "core/parallel/workers.h",
+        [("mostThreads", "threads", "no mesh follows from it")],
+    ),
+    **fixed(
+        "core/shape/grid_loops.h",
+        [("nodesOfChunk", "nodes", "time follows from it, no mesh")],
+    ),
     **swept(
         "core/network/signal_activity.cpp",
         BODIES,
@@ -136,10 +160,11 @@ _OF_GROWTH = {
         _GROWTH,
         BODIES,
         [
-            ("batchPerVertex", "0.25", "1", "signals a vertex"),
+            ("batchPerVertexOneByOne", "0.25", "1", "signals a vertex"),
             ("consolidationRounds", "5", "20", "rounds"),
         ],
     ),
+    **swept(_GROWTH, LEARNED, [("batchPerVertex", "1", "4", "samples a vertex")]),
     **swept(_GROWTH, LEARNED, [("shareOfSettling", "0.125", "0.5", "share of λ")]),
     **swept(_GROWTH, EDGES, [("reachOfBorder", "1", "4", "mean edges")]),
     **swept(_CENSUS, BODIES, [("samplesPerVertex", "5", "20", "samples a vertex")]),
@@ -163,7 +188,7 @@ _OF_GROWTH = {
         _GROWTH,
         [
             (
-                "samplesPerErrorMeasure",
+                "samplesPerMeasure",
                 "samples a vertex",
                 "figures that are told follow from it, no mesh",
             ),

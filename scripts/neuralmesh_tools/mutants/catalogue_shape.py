@@ -139,8 +139,8 @@ SHAPE: tuple[Mutant, ...] = (
         "one-level",
         "the shape is read at several levels",
         _READING,
-        "    for (const float level : levels)",
-        "    for (const float level : {0.0F})",
+        "marchTetrahedra(inside, levels[i], cells)",
+        "marchTetrahedra(inside, levels[0], cells)",
         ("ShapeReading.takes_the_shape_of_most_levels_not_that_at_the_points",),
     ),
     Mutant(

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/parallel/workers.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace neuralmesh {
+
+Workers::Workers(int threads)
+{
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int wanted = std::min(threads > 0 ? threads : cores, mostThreads);
+    try {
+        for (int worker = 1; worker < wanted; ++worker)
+            threads_.emplace_back([this, worker] { serve(worker); });
+    } catch (const std::system_error &) {
+        // Those that there are do.
+    }
+}
+
+Workers::~Workers()
+{
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        isEnding_ = true;
+    }
+    loopStarts_.notify_all();
+    for (std::thread &thread : threads_)
+        thread.join();
+}
+
+void Workers::run(std::size_t chunks, const ChunkWork &work)
+{
+    if (threads_.empty() || chunks < 2) {
+        for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+            work(chunk, 0);
+        return;
+    }
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        work_ = &work;
+        chunks_ = chunks;
+        nextChunk_ = 0;
+        failure_ = nullptr;
+        ++loops_;
+    }
+    loopStarts_.notify_all();
+    takeChunks(work, chunks, 0);
+    std::unique_lock<std::mutex> lock(mutex_);
+    work_ = nullptr;
+    loopEnds_.wait(lock, [&] { return busy_ == 0; });
+    if (failure_)
+        std::rethrow_exception(failure_);
+}
+
+void Workers::serve(int worker)
+{
+    std::uint64_t served = 0;
+    for (;;) {
+        const ChunkWork *work = nullptr;
+        std::size_t chunks = 0;
+        {
+            std::unique_lock<std::mutex> lock(mutex_);
+            loopStarts_.wait(lock, [&] { return isEnding_ || (work_ && loops_ != served); });
+            if (isEnding_)
+                return;
+            served = loops_;
+            ++busy_;
+            work = work_;
+            chunks = chunks_;
+        }
+        takeChunks(*work, chunks, worker);
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (--busy_ == 0)
+            loopEnds_.notify_one();
+    }
+}
+
+void Workers::takeChunks(const ChunkWork &work, std::size_t chunks, int worker)
+{
+    for (std::size_t chunk = nextChunk_++; chunk < chunks; chunk = nextChunk_++)
+        try {
+            work(chunk, worker);
+        } catch (...) {
+            noteFailure(chunk);
+        }
+}
+
+void Workers::noteFailure(std::size_t chunk)
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (failure_ && failedChunk_ < chunk)
+        return;
+    failure_ = std::current_exception();
+    failedChunk_ = chunk;
+}
+
+} // namespace neuralmesh
