@@ -87,7 +87,7 @@ def test_the_result_outlives_everything_else(ball: Points) -> None:
         (np.zeros(9), r"points must have the shape \(N, 3\), not \(9,\)\."),
         (np.zeros((0, 3)), "There are no points to reconstruct a surface from."),
         (np.full((9, 3), np.nan), "9 of 9 points have coordinates"),
-        (np.zeros((9, 3)), "All 9 points lie in one place|fewer than 4|distinct"),
+        (np.zeros((9, 3)), "All points lie in one place: there is no surface"),
     ],
 )
 def test_what_is_no_cloud_is_refused_as_a_value(points: Points, sentence: str) -> None:

@@ -95,7 +95,7 @@ def parser() -> argparse.ArgumentParser:
         "--most-points",
         type=int,
         metavar="N",
-        help="kept of the input, a uniform choice; 0: all (200 a vertex, at least 1,000,000)",
+        help="kept of the input, a uniform choice; 0: all (500 a vertex, at least 2,000,000)",
     )
     add("--json", action="store_true", help="print the results as JSON")
     add("-q", "--quiet", action="store_true", help="no progress bar and no log")
