@@ -43,6 +43,13 @@ SharedArray::SharedArray(AnyArray array)
 {
 }
 
+std::shared_ptr<const SharedArray> optionalArray(const nb::object &array)
+{
+    if (array.is_none())
+        return nullptr;
+    return std::make_shared<const SharedArray>(nb::cast<AnyArray>(array));
+}
+
 std::vector<Point> pointsOf(const AnyArray &array)
 {
     std::vector<Point> points;

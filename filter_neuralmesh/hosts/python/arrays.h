@@ -26,6 +26,9 @@ private:
     std::shared_ptr<const AnyArray> array_;
 };
 
+/// Of what is no array but None, nothing.
+std::shared_ptr<const SharedArray> optionalArray(const nanobind::object &array);
+
 /// Copies n x 3 numbers of float32 or float64, whatever their strides. Needs no GIL.
 std::vector<Point> pointsOf(const AnyArray &array);
 

@@ -105,23 +105,34 @@ void check(const GrowthParameters &parameters, const TypedNames &names)
     }
 }
 
+/// How many points are added between two looks at whether to stop.
+constexpr std::size_t pointsBetweenReports = 4096;
+
 /// Of points, or where there are faces, of places all over them: `values` of each, red, green,
 /// blue, alpha and quality, averaged onto the vertices of the mesh. The filter looks at as many.
 nb::object transferAttributes(AnyArray points, const nb::object &faces, AnyArray values,
                               AnyArray meshVertices, AnyArray meshFaces)
 {
-    const Mesh mesh{pointsOf(meshVertices), cornersOf(meshFaces)};
-    AttributeTransfer transfer(mesh);
-    const std::vector<AttributeValues> given = attributesOf(values);
-    if (!faces.is_none()) {
-        transfer.addSurface({pointsOf(points), cornersOf(nb::cast<AnyArray>(faces))}, given,
-                            AttributeTransfer::pointsPerVertex * mesh.positions.size());
-    } else {
-        const std::vector<Point> places = pointsOf(points);
-        for (std::size_t i = 0; i < places.size(); ++i)
-            transfer.add(places[i], given[i]);
-    }
-    return arrayOf(transfer.average());
+    const auto average =
+        [points = SharedArray(std::move(points)), faces = optionalArray(faces),
+         values = SharedArray(std::move(values)),
+         mesh = Mesh{pointsOf(meshVertices), cornersOf(meshFaces)}](const Progress &progress) {
+            AttributeTransfer transfer(mesh);
+            const std::vector<Point> places = pointsOf(*points);
+            const std::vector<AttributeValues> given = attributesOf(*values);
+            if (faces) {
+                transfer.addSurface({places, cornersOf(**faces)}, given,
+                                    AttributeTransfer::pointsPerVertex * mesh.positions.size());
+                return transfer.average();
+            }
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                transfer.add(places[i], given[i]);
+                if (i % pointsBetweenReports == 0)
+                    report(progress, 1, "Transferring attributes");
+            }
+            return transfer.average();
+        };
+    return arrayOf(resultOf<std::vector<AttributeValues>>(average, nb::none()));
 }
 
 } // namespace

@@ -55,12 +55,6 @@ std::vector<double> densityOf(const SharedArray *density)
     return density == nullptr ? std::vector<double>() : numbersOf(**density);
 }
 
-/// None is no density.
-std::shared_ptr<SharedArray> optionalArray(const nb::object &array)
-{
-    return array.is_none() ? nullptr : std::make_shared<SharedArray>(nb::cast<AnyArray>(array));
-}
-
 Target pointsTarget(AnyArray points, const nb::object &density, const TypedNames &names,
                     const nb::object &progress)
 {

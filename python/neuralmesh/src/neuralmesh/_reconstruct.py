@@ -96,12 +96,9 @@ def reconstruct(
         A ValueError: the input or a parameter cannot be used; the sentence says why.
     TypeError
         An unknown parameter, with the nearest that there is; or a value of another type.
-    Cancelled
-        `progress` returned False.
-    KeyboardInterrupt
-        On Ctrl-C, within 0.2 s.
+    Cancelled, KeyboardInterrupt
+        `progress` returned False; Ctrl-C was pressed, within 0.2 s.
     MemoryError, OSError
-        Too little memory; a file that cannot be read.
     """
     if vertices is not None:
         parameters = {"vertices": vertices, **parameters}
@@ -178,7 +175,8 @@ def _of_path(path: Path, options: Options, progress: Progress | None) -> Any:
     """A target of a file that is read in place, or the points of another, at most so many."""
     if files.is_read_in_place(path) and not options.density_from_quality:
         return _core.file_target(os.fspath(path), options.names, progress)
-    return files.read(path, most_points=files.most_points_for(options.core.vertices))
+    most = files.most_points_for(options.core.vertices)
+    return files.read(path, most_points=most, progress=progress)
 
 
 def _open(

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 
+from .._core import InvalidInput
 from .cloud import Chunk
 
 
-class UnreadableFile(ValueError):
+class UnreadableFile(InvalidInput):
     """A file cannot be used; the message starts with its path and says why."""
 
     def __init__(self, path: Path, reason: str) -> None:
