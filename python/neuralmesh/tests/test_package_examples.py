@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -49,3 +50,10 @@ def test_every_example_is_tested_and_listed() -> None:
     assert names == set(PROMISES)
     listed = (ROOT / "docs/python.md").read_text("utf-8")
     assert [name for name in names if f"`{name}`" not in listed] == []
+
+
+def test_the_readme_of_the_package_runs_as_printed(tmp_path: Path) -> None:
+    text = (ROOT / "python/neuralmesh/README.md").read_text("utf-8")
+    (code,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=True, timeout=100)
+    assert len(neuralmesh.read(tmp_path / "ball.ply").points) == 2000
