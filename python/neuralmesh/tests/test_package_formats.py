@@ -241,6 +241,30 @@ def test_normals_are_not_taken_for_colours(tmp_path: Path) -> None:
     assert neuralmesh.read(tmp_path / "normals.xyz").colours is None
 
 
+@pytest.mark.parametrize(
+    "header",
+    ["X Y Z", "//X_coord Y_coord Z_coord", '"Points:0","Points:1","Points:2"', "# a note\n3", ""],
+)
+def test_headers_that_programs_write(header: str, tmp_path: Path) -> None:
+    separator = "," if "," in header else " "
+    lines = [separator.join(row) for row in (("1", "2", "3"), ("4", "5", "6"), ("7", "8", "9"))]
+    (tmp_path / "a.txt").write_text("\r\n".join([header, *lines, ""]), "utf-8")
+    assert neuralmesh.read(tmp_path / "a.txt").points.tolist() == [[1, 2, 3], [4, 5, 6], [7, 8, 9]]
+
+
+def test_a_path_of_any_format_is_reconstructed_with_its_colours(
+    ball: Points, tmp_path: Path
+) -> None:
+    colours = np.full((5000, 3), [200, 100, 0], np.uint8)
+    las(tmp_path / "ball.laz", ball, colours)
+    made = neuralmesh.reconstruct(tmp_path / "ball.laz", 200)
+    assert np.array_equal(made.colours, np.tile([200, 100, 0, 255], (200, 1)).astype(np.uint8))
+    read = neuralmesh.read(tmp_path / "ball.laz")
+    assert np.array_equal(neuralmesh.reconstruct(read, 200).vertices, made.vertices)
+    ply_text(tmp_path / "ball.ply", ball, colours)
+    assert neuralmesh.reconstruct(tmp_path / "ball.ply", 200).colours is not None
+
+
 def test_points_without_a_return_are_left_out_of_a_pcd(
     cloud: tuple[Points, Colours], tmp_path: Path
 ) -> None:

@@ -15,7 +15,7 @@ import numpy as np
 
 from .cloud import Chunk
 
-LINES = 500_000
+LINES = 100_000
 
 
 def chunks(path: Path) -> Iterator[Chunk]:

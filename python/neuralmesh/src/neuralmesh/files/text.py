@@ -20,9 +20,14 @@ from numpy.typing import NDArray
 from .cloud import Chunk
 from .registry import UnreadableFile
 
-LINES = 200_000
+LINES = 100_000  # a tenth of a second, after which Ctrl-C is heard
 COMMENTS = ("#", "//", "!")
-COORDINATES = (("x", "y", "z"), ("xcoord", "ycoord", "zcoord"), ("easting", "northing", "height"))
+COORDINATES = (
+    ("x", "y", "z"),
+    ("xcoord", "ycoord", "zcoord"),
+    ("points0", "points1", "points2"),  # ParaView's
+    ("easting", "northing", "height"),
+)
 COLOURS = (("red", "green", "blue"), ("r", "g", "b"))
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?|[-+]?(nan|inf)", re.IGNORECASE)
 
@@ -82,7 +87,7 @@ def _first_points(path: Path, file: TextIO) -> tuple[str | None, list[str]]:
             continue
         words = re.split(r"[\s,;]+", text.lstrip("#/! ").strip(" ,;"))
         if not NUMBER.fullmatch(words[0].replace('"', "")):
-            header = [re.sub(r"\W", "", word.lower()) for word in words]
+            header = [re.sub(r"[\W_]", "", word.lower()) for word in words]
             if not text.startswith(COMMENTS) and not _names_coordinates(header):
                 raise UnreadableFile(path, f"its first line is none of points: '{text[:60]}'.")
             continue
