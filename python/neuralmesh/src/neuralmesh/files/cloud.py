@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,7 +65,7 @@ class Reservoir:
         self._most = most
         self._random = np.random.default_rng(0)
         self._threshold = 2.0  # above all numbers
-        self._kept: list[tuple[NDArray[np.float64], ...]] = []
+        self._kept: list[tuple[NDArray[Any], ...]] = []
         self._has_colours = False
         self._count = 0
         self.total = 0
@@ -97,7 +98,7 @@ class Reservoir:
         points, colours, _ = self._merged()
         return Cloud(points, colours if self._has_colours else None, total=self.total)
 
-    def _merged(self) -> tuple[NDArray, ...]:
+    def _merged(self) -> tuple[NDArray[Any], ...]:
         if len(self._kept) > 1:
             self._kept = [tuple(map(np.concatenate, zip(*self._kept, strict=True)))]
         return self._kept[0]

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,7 @@ TYPES = {"F": "f", "I": "i", "U": "u"}
 class Header:
     """Fields, their places in a record, and how many records follow."""
 
-    record: np.dtype
+    record: np.dtype[Any]
     count: int
     encoding: str
 
@@ -34,7 +34,7 @@ def chunks(path: Path) -> Iterator[Chunk]:
     """Yield the points; those that are not finite, which stand for no return, are left out."""
     with path.open("rb") as file:
         header = _header(path, file)
-        if not {"x", "y", "z"} <= set(header.record.names or ()):
+        if not {"x", "y", "z"} <= set(_names(header.record)):
             raise UnreadableFile(path, "its points have no x, y and z.")
         readers = {"ascii": _text, "binary": _binary, "binary_compressed": _compressed}
         if header.encoding not in readers:
@@ -71,15 +71,12 @@ def _header(path: Path, file: BinaryIO) -> Header:
     return Header(np.dtype(fields), int(total[0]), entries["DATA"][0])
 
 
-def _text(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray]:
-    columns = sum(
-        int(np.prod(header.record[name].shape, dtype=int)) for name in header.record.names
-    )
+def _text(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray[Any]]:
+    places, columns = {}, 0
+    for name in _names(header.record):
+        places[name] = columns
+        columns += int(np.prod(header.record[name].shape, dtype=int))
     flat = np.dtype([(f"c{number}", "f8") for number in range(columns)])
-    places, column = {}, 0
-    for name in header.record.names:
-        places[name] = column
-        column += int(np.prod(header.record[name].shape, dtype=int))
     left = header.count
     while left > 0:
         rows = np.loadtxt(file, dtype=flat, max_rows=min(left, LINES), ndmin=1)
@@ -89,12 +86,11 @@ def _text(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray]:
         records = np.zeros(len(rows), header.record)
         for name in ("x", "y", "z", "rgb", "rgba"):
             if name in places:
-                values = rows[f"c{places[name]}"]
-                records[name] = values
+                records[name] = rows[f"c{places[name]}"]
         yield records
 
 
-def _binary(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray]:
+def _binary(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray[Any]]:
     left = header.count
     while left > 0:
         records = np.fromfile(file, header.record, count=min(left, POINTS))
@@ -104,7 +100,7 @@ def _binary(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray]:
         yield records
 
 
-def _compressed(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray]:
+def _compressed(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray[Any]]:
     """One block by LZF, in which all values of a field stand together."""
     packed_size, size = np.frombuffer(file.read(8), "<u4")
     if int(size) != header.count * header.record.itemsize:
@@ -114,7 +110,7 @@ def _compressed(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray]
         raise UnreadableFile(path, "it is cut short.")
     block = _core.lzf_decompressed(packed, int(size))
     records, begin = np.empty(header.count, header.record), 0
-    for name in header.record.names or ():
+    for name in _names(header.record):
         kind = header.record[name]
         values = np.frombuffer(block, kind, count=header.count, offset=begin)
         records[name] = values
@@ -122,13 +118,17 @@ def _compressed(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray]
     yield records
 
 
-def _chunk(records: NDArray, done: float) -> Chunk:
+def _chunk(records: NDArray[Any], done: float) -> Chunk:
     points = np.column_stack([records[axis].astype(np.float64) for axis in "xyz"])
     finite = np.isfinite(points).all(axis=1)
-    packed = next((records[n] for n in ("rgb", "rgba") if n in records.dtype.names), None)
+    packed = next((records[n] for n in ("rgb", "rgba") if n in _names(records.dtype)), None)
     colours = None
     if packed is not None and packed.dtype.itemsize == 4:
         bits = np.ascontiguousarray(packed).view(np.uint32)  # also where its type is float
         colours = np.column_stack([bits >> shift & 255 for shift in (16, 8, 0)]).astype(np.uint8)
         colours = colours[finite]
     return Chunk(points[finite], colours, done)
+
+
+def _names(record: np.dtype[Any]) -> tuple[str, ...]:
+    return record.names or ()

@@ -111,7 +111,7 @@ def describe(path: Path, progress: Progress | None = None) -> Description:
         count += len(chunk.points)
         has_colours |= chunk.colours is not None
         finite = np.isfinite(chunk.points).all(axis=1)
-        broken += int(len(finite) - finite.sum())
+        broken += int((~finite).sum())
         if finite.any():
             lower = np.minimum(lower, chunk.points[finite].min(axis=0))
             upper = np.maximum(upper, chunk.points[finite].max(axis=0))

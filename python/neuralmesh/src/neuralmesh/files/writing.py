@@ -7,6 +7,7 @@ import io
 import os
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -94,7 +95,7 @@ def _off(mesh: Mesh) -> bytes:
 
 
 def _npz(mesh: Mesh) -> bytes:
-    arrays = {"vertices": mesh.vertices, "faces": mesh.faces}
+    arrays: dict[str, Any] = {"vertices": mesh.vertices, "faces": mesh.faces}
     if mesh.colours is not None:
         arrays["colours"] = mesh.colours
     if mesh.quality is not None:
@@ -111,8 +112,8 @@ def _by_trimesh(kind: str) -> Callable[[Mesh], bytes]:
         shown = trimesh.Trimesh(
             mesh.vertices, mesh.faces, vertex_colors=mesh.colours, process=False
         )
-        data = shown.export(file_type=kind)
-        return data if isinstance(data, bytes) else data.encode("utf-8")
+        data: Any = shown.export(file_type=kind)
+        return bytes(data)
 
     return made
 
