@@ -46,6 +46,8 @@ ELSEWHERE = {
     "NEURALMESH_PLUGIN=": "by hand, at each release: it needs another PyMeshLab",
     ".venv/bin/dask": "test_batch_cluster.py",
     ".venv/bin/python -m pytest": "scripts/test",
+    "pip install build/python/wheel/": "python/neuralmesh/tests/test_package_installed.py",
+    "neuralmesh ": "python/neuralmesh/tests/test_package_command.py",
 }
 BATCHES = [
     command for command in COMMANDS if "scripts/batch.py" in command and "--sch" not in command
@@ -95,7 +97,7 @@ def test_python_snippet_runs_as_printed(code: str, plugin: Path, tmp_path: Path)
         promised = re.search(r"It prints `(.*?)`", README)
         assert promised
         assert promised.group(1) in run.stdout.splitlines()
-    saved = re.findall(r'save_current_mesh\("(.*?)"\)', code)
+    saved = re.findall(r'(?:save_current_mesh|neuralmesh\.write)\("(.*?)"', code)
     assert saved
     for name in saved:
         assert (tmp_path / name).stat().st_size > 0
@@ -288,6 +290,7 @@ def test_a_picture_can_be_drawn_again(plugin: Path, tmp_path: Path) -> None:
 def test_the_version_is_the_same_everywhere() -> None:
     places = {
         "pyproject.toml": r'^version = "(.+)"$',
+        "python/neuralmesh/pyproject.toml": r'^version = "(.+)"$',
         "CMakeLists.txt": r"project\(NeuralMeshReconstruction VERSION (\S+) ",
         "CITATION.cff": r"^version: (.+)$",
         "CHANGELOG.md": r"^## \[(\d.*?)\]",

@@ -35,7 +35,9 @@ def test_a_filter_that_reports_nothing_raises_no_doubt() -> None:
 
 
 def test_doubts_begin_where_the_filters_own_do() -> None:
-    source = (ROOT / "filter_neuralmesh/plugin/filter_results.cpp").read_text(encoding="utf-8")
+    source = (ROOT / "filter_neuralmesh/hosts/common/reconstruction.cpp").read_text(
+        encoding="utf-8"
+    )
     assert f"leastCoverage = {LEAST_COVERAGE};" in source
     assert f"mostUnsupported = {MOST_UNSUPPORTED};" in source
 

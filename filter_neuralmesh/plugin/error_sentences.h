@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one place where the core's errors get the words that users of the filters know. No Qt here.
+// The words that users of the filters know. No Qt here.
 #pragma once
 
 #include <string>
 
-#include "neuralmesh/errors.h"
+#include "hosts/common/host_terms.h"
 
-/// The sentence for the user, in plain text, with parameters called as in dialogs and scripts.
+/// Parameters are called as in dialogs and scripts, meshes are layers, files are opened in MeshLab.
+const neuralmesh::HostTerms &filterTerms();
+
+/// The sentence for the user, in plain text.
 std::string sentenceFor(const neuralmesh::InvalidInput &error);

@@ -8,14 +8,8 @@
 #include "filter_parameters.h"
 #include "filter_results.h"
 #include "host_progress.h"
+#include "hosts/common/progress_part.h"
 #include "layers.h"
-
-namespace {
-
-/// Of the time of a run: the target space is opened, which is one pass over a point file.
-constexpr double shareOfOpening = 0.1;
-
-} // namespace
 
 FilterNeuralMesh::FilterNeuralMesh()
 {
@@ -138,12 +132,13 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
     neuralmesh::GrowthParameters growthParameters = readGrowthParameters(parameters);
     growthParameters.validate();
     const neuralmesh::Progress progress = throttledProgress(callback);
-    const TargetSpace target = makeTarget(part(progress, 0, shareOfOpening));
+    const TargetSpace target =
+        makeTarget(neuralmesh::part(progress, 0, neuralmesh::shareOfOpening));
     growthParameters.maxHoleSize /= target.sampler->frame().diagonal();
 
-    Reconstruction result;
+    neuralmesh::Reconstruction result;
     result.seed = growthParameters.seed;
-    const neuralmesh::Progress growing = part(progress, shareOfOpening, 1);
+    const neuralmesh::Progress growing = neuralmesh::part(progress, neuralmesh::shareOfOpening, 1);
     const auto keep = [&](neuralmesh::Mesh snapshot) {
         result.snapshots.push_back(std::move(snapshot));
     };

@@ -5,20 +5,12 @@
 #include <QVariant>
 #include <map>
 #include <string>
-#include <vector>
 
-#include "neuralmesh/reconstruct.h"
+#include "hosts/common/reconstruction.h"
 
-struct Reconstruction {
-    neuralmesh::Result result;
-    std::vector<neuralmesh::Mesh> snapshots; ///< by vertex count, ascending
-    std::uint64_t seed = 0;
-    double seconds = 0;
-};
+/// The values returned to scripts. Only types that PyMeshLab passes on: int, bool, double and
+/// vectors.
+std::map<std::string, QVariant> resultValues(const neuralmesh::Reconstruction &reconstruction);
 
-/// The values returned to scripts, with the names of the interface. Only types that PyMeshLab
-/// passes on: int, bool, double and vectors.
-std::map<std::string, QVariant> resultValues(const Reconstruction &reconstruction);
-
-/// Plain text: figures, and whether idle vertices were kept.
-std::string summary(const Reconstruction &reconstruction);
+/// The line in the log, in the words of the filter's users.
+std::string summary(const neuralmesh::Reconstruction &reconstruction);

@@ -18,12 +18,3 @@ neuralmesh::Progress throttledProgress(vcg::CallBackPos *callback)
         return callback(static_cast<int>(100 * fraction), activity);
     };
 }
-
-neuralmesh::Progress part(const neuralmesh::Progress &whole, double from, double to)
-{
-    if (!whole)
-        return {};
-    return [&whole, from, to](double fraction, const char *activity) {
-        return whole(from + (to - from) * fraction, activity);
-    };
-}

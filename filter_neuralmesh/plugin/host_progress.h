@@ -8,7 +8,3 @@
 /// The host's callback as the core's progress, passed on at most ten times a second. Hosts ask to
 /// cancel by returning false.
 neuralmesh::Progress throttledProgress(vcg::CallBackPos *callback);
-
-/// A part of the work as a whole of its own: its fractions are reported between `from` and `to`.
-/// Refers to `whole`, which has to live on.
-neuralmesh::Progress part(const neuralmesh::Progress &whole, double from, double to);

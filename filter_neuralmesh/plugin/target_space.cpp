@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "target_space.h"
 
-#include <cstdio>
-
+#include "hosts/common/reconstruction.h"
 #include "layers.h"
 #include "neuralmesh/errors.h"
 #include "neuralmesh/samplers.h"
@@ -10,18 +9,6 @@
 namespace {
 
 using neuralmesh::InvalidInput;
-
-/// Empty where no outliers were found.
-std::string outlierRemark(double share)
-{
-    if (share <= 0)
-        return {};
-    char line[128];
-    std::snprintf(line, sizeof line,
-                  "About %.1f %% of the points stand alone and were taken for outliers.",
-                  100 * share);
-    return line;
-}
 
 /// The points of several layers, with a density for each where one is asked for.
 class PointCollection {
@@ -42,7 +29,7 @@ public:
     TargetSpace targetSpace(const QString &name)
     {
         auto sampler = neuralmesh::pointCloudSampler(points_, qualities_);
-        const std::string remark = outlierRemark(sampler->outlierShare());
+        const std::string remark = neuralmesh::outlierRemark(sampler->outlierShare());
         return {std::move(sampler), name, remark, {layers_, false}};
     }
 
@@ -101,7 +88,7 @@ TargetSpace pointFile(const QString &path, bool withDensity, const neuralmesh::P
         throw InvalidInput("DensityFromQuality is for layers: a point file has no vertex quality.");
     const std::string encoded = QFile::encodeName(path).toStdString();
     auto sampler = neuralmesh::pointFileSampler(encoded, progress);
-    const std::string remark = outlierRemark(sampler->outlierShare());
+    const std::string remark = neuralmesh::outlierRemark(sampler->outlierShare());
     const QString name = QFileInfo(path).completeBaseName();
     return {std::move(sampler),
             withoutDots(name.isEmpty() ? QFileInfo(path).fileName() : name),

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-# As in the filter's log: filter_neuralmesh/plugin/filter_results.cpp.
+# As in the filter's log: filter_neuralmesh/hosts/common/reconstruction.cpp.
 LEAST_COVERAGE = 0.9
 MOST_UNSUPPORTED = 0.05
 

@@ -14,6 +14,7 @@ from neuralmesh_tools.geometry import Faces, Points
 
 
 @cache
+@cache
 def load_plugin(path: Path) -> None:
     """Load a plugin into PyMeshLab, once a process. Raises what PyMeshLab raises."""
     pymeshlab.load_plugin(str(path))

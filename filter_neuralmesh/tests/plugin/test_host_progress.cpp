@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <vector>
 
 namespace {
 
@@ -40,20 +39,6 @@ TEST(HostProgress, passes_a_false_back)
 TEST(HostProgress, is_none_where_the_host_has_no_callback)
 {
     EXPECT_FALSE(throttledProgress(nullptr));
-}
-
-TEST(HostProgress, a_part_is_reported_between_its_bounds)
-{
-    std::vector<double> fractions;
-    const neuralmesh::Progress whole = [&](double fraction, const char *) {
-        fractions.push_back(fraction);
-        return fraction < 0.75;
-    };
-    EXPECT_TRUE(part(whole, 0.25, 0.75)(0, "working"));
-    EXPECT_TRUE(part(whole, 0.25, 0.75)(0.5, "working"));
-    EXPECT_FALSE(part(whole, 0.25, 0.75)(1, "working"));
-    EXPECT_EQ(fractions, (std::vector<double>{0.25, 0.5, 0.75}));
-    EXPECT_FALSE(part({}, 0.25, 0.75));
 }
 
 } // namespace

@@ -36,6 +36,13 @@ stub = pathlib.Path(nm.__file__).with_suffix(".pyi").read_text()
 assert all(f"def {name}(" in stub for name in nm.FILTERS)
 sys.exit(result["vertices"] != 500)
 """
+USE_PACKAGE = """
+import sys, numpy as np, neuralmesh
+points = np.random.default_rng(0).normal(size=(5000, 3))
+points /= np.linalg.norm(points, axis=1)[:, None]
+result = neuralmesh.reconstruct(points, vertices=500)
+sys.exit(result.vertices.shape != (500, 3))
+"""
 
 
 def main() -> int:
@@ -54,7 +61,8 @@ def main() -> int:
         scripted = unpacked(next(folder.glob("*-pymeshlab-*.tar.gz")), work)
         check_needs(scripted)
         run([sys.executable, "-c", USE_ARCHIVE, str(scripted)])
-        check_wheel(next(folder.glob("*.whl")), work / "venv")
+        check_wheel(next(folder.glob("pymeshlab_neuralmesh-*.whl")), work / "venv", USE_WHEEL)
+        check_wheel(next(folder.glob("neuralmesh-*manylinux*.whl")), work / "plain", USE_PACKAGE)
     for made in sorted(folder.iterdir()):
         print(f"{made.stat().st_size / 1024:7.0f} KB  {made}")
     return 0
@@ -84,13 +92,13 @@ def check_desktop(plugin: Path) -> None:
         raise RuntimeError(f"scripts/test_desktop ended with {code}")
 
 
-def check_wheel(wheel: Path, venv: Path) -> None:
-    """Install the wheel, and the PyMeshLab that it pins, into a new environment and use it."""
+def check_wheel(wheel: Path, venv: Path, use: str) -> None:
+    """Install a wheel, with what it needs, into a new environment and use it."""
     run([sys.executable, "-m", "venv", str(venv)])
     python = str(venv / "bin" / "python")
     pip = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
     run([*pip, str(wheel)])
-    run([python, "-c", USE_WHEEL])
+    run([python, "-c", use])
 
 
 def run(command: list[str]) -> None:

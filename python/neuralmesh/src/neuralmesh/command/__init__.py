@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command `neuralmesh`: files in, a mesh out."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+
+from . import information, reconstruction
+from .exits import DONE, INTERRUPTED, REFUSED, say
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command; return its exit code."""
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        if given[:1] == ["info"]:
+            return information.run(given[1:])
+        return reconstruction.run(given)
+    except KeyboardInterrupt:
+        say("Interrupted.")
+        sys.stdout.flush()
+        os._exit(INTERRUPTED)  # at once: the core's thread may need a second to hear of it
+    except BrokenPipeError:  # the reader of the output went away, as `head` does
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return DONE
+    except (ValueError, TypeError, OSError, MemoryError) as error:
+        say(_sentence(error))
+        return REFUSED
+
+
+def _sentence(error: Exception) -> str:
+    if isinstance(error, OSError) and error.filename is not None:
+        return f"'{error.filename}': {error.strerror}."
+    if isinstance(error, MemoryError):
+        return str(error) or "Too little memory."
+    return str(error)

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command line of a reconstruction: parameters of the filter as options."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from .._core import __version__
+from .._parameters import CHOICES
+
+USAGE = "neuralmesh INPUT... -o OUTPUT [OPTION...]\n       neuralmesh info INPUT..."
+EPILOG = """\
+reads   PLY, LAS, LAZ, COPC, E57, PCD, PTS, XYZ, CSV, NPY, NPZ, OBJ, STL, OFF, glTF, GLB
+writes  PLY, OBJ, OFF, NPZ (exact); STL, GLB (single precision)
+exit    0 done; 1 an input or a parameter cannot be used; 2 wrong usage; 130 interrupted
+"""
+PARAMETERS = """\
+Further parameters of the filter:
+  --topology learned|start       handles and parts of the points, or of the starting mesh
+                                 (learned)
+  --start-mesh tetrahedron|octahedron|icosahedron|data
+                                 what the network grows from (tetrahedron)
+  --transfer-attributes yes|no   the points' colours onto the mesh (yes)
+  --edge-flips yes|no            flips that even out valences (yes)
+  --split-rule balanced|paper    how a vertex is split (balanced)
+  --winner-rate, --smoothing-rate, --smoothing-passes, --signals-per-split,
+  --inactivity-factor, --counter-decay
+                                 the paper's constants: 0.06, 0.05, 5, 100, 12, 0.995
+"""
+HIDDEN = (
+    "topology",
+    "start_mesh",
+    "transfer_attributes",
+    "edge_flips",
+    "split_rule",
+    "winner_rate",
+    "smoothing_rate",
+    "smoothing_passes",
+    "signals_per_split",
+    "inactivity_factor",
+    "counter_decay",
+)
+SWITCHES = ("transfer_attributes", "edge_flips")
+
+
+class ShowParameters(argparse.Action):
+    """--help-parameters prints the rest and ends."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> None:
+        """Print and exit."""
+        print(PARAMETERS, end="")
+        parser.exit()
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the parser; its help fits on a screen."""
+    made = argparse.ArgumentParser(
+        prog="neuralmesh",
+        usage=USAGE,
+        description="Turn points into a triangle mesh of exactly so many vertices.",
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    add = made.add_argument
+    add("inputs", nargs="+", type=Path, metavar="INPUT", help="a file, or a folder with --merge")
+    add("-o", "--output", type=Path, required=True, help="the mesh; its ending is the format")
+    add("-n", "--vertices", metavar="N", help="of the mesh, at least 4 (5000, or half the points)")
+    add(
+        "--merge", action="store_true", help="several files, or the tiles of a folder, as one cloud"
+    )
+    add(
+        "--boundaries",
+        choices=["closed", "open"],
+        metavar="WHICH",
+        help="closed: watertight; open: no surface where there are no points (closed)",
+    )
+    add(
+        "--max-hole-size",
+        metavar="SIZE",
+        help="smaller gaps in the points are closed: a length or a percentage (10%%)",
+    )
+    add("--snapshots", metavar="N,N,...", help="also meshes of these sizes: OUTPUT_N")
+    add("--random-seed", metavar="N", help="the same seed gives the same mesh; 0: a fresh one (1)")
+    add(
+        "--no-surface-fit",
+        dest="surface_fit",
+        action="store_const",
+        const=False,
+        help="leave out the closing fit",
+    )
+    add(
+        "--most-points",
+        type=int,
+        metavar="N",
+        help="kept of the input, a uniform choice; 0: all (500 a vertex, at least 2,000,000)",
+    )
+    add("--json", action="store_true", help="print the results as JSON")
+    add("-q", "--quiet", action="store_true", help="no progress bar and no log")
+    add("--help-parameters", action=ShowParameters, nargs=0, help="the other parameters")
+    add("--version", action="version", version=f"neuralmesh {__version__}")
+    for key in HIDDEN:
+        add(_flag(key), choices=_choices(key), help=argparse.SUPPRESS)
+    return made
+
+
+def parameters_of(options: argparse.Namespace) -> tuple[dict[str, Any], dict[str, str]]:
+    """Return the parameters that were given, and what the user typed for each."""
+    shown = ("vertices", "boundaries", "max_hole_size", "snapshots", "random_seed", "surface_fit")
+    parameters = {}
+    for key in (*shown, *HIDDEN):
+        if (value := getattr(options, key)) is None:
+            continue
+        parameters[key] = value == "yes" if key in SWITCHES else value
+    if "max_hole_size" in parameters and not parameters["max_hole_size"].strip().endswith("%"):
+        parameters["max_hole_size"] = _number("--max-hole-size", parameters["max_hole_size"])
+    names = {key: _flag(key) for key in (*shown, *HIDDEN)}
+    return parameters, names
+
+
+def _number(flag: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise ValueError(f"{flag} must be a length or a percentage, not '{text}'.") from None
+
+
+def _flag(key: str) -> str:
+    return "--" + key.replace("_", "-")
+
+
+def _choices(key: str) -> list[str] | None:
+    if key in SWITCHES:
+        return ["yes", "no"]
+    if key in CHOICES:
+        return [name for name in CHOICES[key] if name != "given"]
+    return None

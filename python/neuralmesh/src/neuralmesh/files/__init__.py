@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of points and meshes: one registry of formats, read in chunks, and the writers."""
+
+from .cloud import Cloud, most_points_for
+from .reading import describe, expand, is_read_in_place, read, read_merged
+from .registry import FORMATS, UnreadableFile
+from .writing import WRITTEN, write
+
+__all__ = [
+    "FORMATS",
+    "WRITTEN",
+    "Cloud",
+    "UnreadableFile",
+    "describe",
+    "expand",
+    "is_read_in_place",
+    "most_points_for",
+    "read",
+    "read_merged",
+    "write",
+]

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""PCD, the format of the Point Cloud Library: ascii, binary and binary_compressed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import _core
+from .cloud import Chunk
+from .registry import UnreadableFile
+
+POINTS = 1_000_000
+LINES = 200_000
+LONGEST_HEADER = 64  # lines
+TYPES = {"F": "f", "I": "i", "U": "u"}
+
+
+@dataclass
+class Header:
+    """Fields, their places in a record, and how many records follow."""
+
+    record: np.dtype[Any]
+    count: int
+    encoding: str
+
+
+def chunks(path: Path) -> Iterator[Chunk]:
+    """Yield the points; those that are not finite, which stand for no return, are left out."""
+    with path.open("rb") as file:
+        header = _header(path, file)
+        if not {"x", "y", "z"} <= set(_names(header.record)):
+            raise UnreadableFile(path, "its points have no x, y and z.")
+        readers = {"ascii": _text, "binary": _binary, "binary_compressed": _compressed}
+        if header.encoding not in readers:
+            raise UnreadableFile(path, f"its DATA is of the unknown kind '{header.encoding}'.")
+        read = 0
+        for records in readers[header.encoding](path, file, header):
+            read += len(records)
+            yield _chunk(records, read / max(header.count, 1))
+
+
+def _header(path: Path, file: BinaryIO) -> Header:
+    entries: dict[str, list[str]] = {}
+    for _ in range(LONGEST_HEADER):
+        line = file.readline(4096).decode("latin-1").strip()
+        if not line or line.startswith("#"):
+            continue
+        key, *values = line.split()
+        entries[key] = values
+        if key == "DATA":
+            break
+    else:
+        raise UnreadableFile(path, "it has no header of a PCD file.")
+    names, sizes, types = entries["FIELDS"], entries["SIZE"], entries["TYPE"]
+    counts = entries.get("COUNT", ["1"] * len(names))
+    fields = []
+    for number, (name, size, kind, many) in enumerate(
+        zip(names, sizes, types, counts, strict=True)
+    ):
+        label = f"unused{number}" if name == "_" else name
+        fields.append((label, f"<{TYPES[kind]}{int(size)}", (int(many),) if many != "1" else ()))
+    total = entries.get("POINTS") or [
+        str(int(entries["WIDTH"][0]) * int(entries.get("HEIGHT", ["1"])[0]))
+    ]
+    return Header(np.dtype(fields), int(total[0]), entries["DATA"][0])
+
+
+def _text(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray[Any]]:
+    places, columns = {}, 0
+    for name in _names(header.record):
+        places[name] = columns
+        columns += int(np.prod(header.record[name].shape, dtype=int))
+    flat = np.dtype([(f"c{number}", "f8") for number in range(columns)])
+    left = header.count
+    while left > 0:
+        rows = np.loadtxt(file, dtype=flat, max_rows=min(left, LINES), ndmin=1)
+        if len(rows) == 0:
+            raise UnreadableFile(path, f"it ends {left} points early.")
+        left -= len(rows)
+        records = np.zeros(len(rows), header.record)
+        for name in ("x", "y", "z", "rgb", "rgba"):
+            if name in places:
+                records[name] = rows[f"c{places[name]}"]
+        yield records
+
+
+def _binary(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray[Any]]:
+    left = header.count
+    while left > 0:
+        records = np.fromfile(file, header.record, count=min(left, POINTS))
+        if len(records) == 0:
+            raise UnreadableFile(path, f"it ends {left} points early.")
+        left -= len(records)
+        yield records
+
+
+def _compressed(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray[Any]]:
+    """One block by LZF, in which all values of a field stand together."""
+    packed_size, size = np.frombuffer(file.read(8), "<u4")
+    if int(size) != header.count * header.record.itemsize:
+        raise UnreadableFile(path, "its block is not as long as its header says.")
+    packed = file.read(int(packed_size))
+    if len(packed) < packed_size:
+        raise UnreadableFile(path, "it is cut short.")
+    block = _core.lzf_decompressed(packed, int(size))
+    records, begin = np.empty(header.count, header.record), 0
+    for name in _names(header.record):
+        kind = header.record[name]
+        values = np.frombuffer(block, kind, count=header.count, offset=begin)
+        records[name] = values
+        begin += header.count * kind.itemsize
+    yield records
+
+
+def _chunk(records: NDArray[Any], done: float) -> Chunk:
+    points = np.column_stack([records[axis].astype(np.float64) for axis in "xyz"])
+    finite = np.isfinite(points).all(axis=1)
+    packed = next((records[n] for n in ("rgb", "rgba") if n in _names(records.dtype)), None)
+    colours = None
+    if packed is not None and packed.dtype.itemsize == 4:
+        bits = np.ascontiguousarray(packed).view(np.uint32)  # also where its type is float
+        colours = np.column_stack([bits >> shift & 255 for shift in (16, 8, 0)]).astype(np.uint8)
+        colours = colours[finite]
+    return Chunk(points[finite], colours, done)
+
+
+def _names(record: np.dtype[Any]) -> tuple[str, ...]:
+    return record.names or ()

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Points as text: XYZ and its kin, comma-separated values with or without a header, Leica's PTS.
+
+Columns are those that a header names. Without one they are x, y, z; then, of six, colours where all
+are whole numbers up to 255, normals otherwise; of seven (PTS), intensity and colours.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TextIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .cloud import Chunk
+from .registry import UnreadableFile
+
+LINES = 100_000  # a tenth of a second, after which Ctrl-C is heard
+COMMENTS = ("#", "//", "!")
+COORDINATES = (
+    ("x", "y", "z"),
+    ("xcoord", "ycoord", "zcoord"),
+    ("points0", "points1", "points2"),  # ParaView's
+    ("easting", "northing", "height"),
+)
+COLOURS = (("red", "green", "blue"), ("r", "g", "b"))
+NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?|[-+]?(nan|inf)", re.IGNORECASE)
+
+
+@dataclass
+class Columns:
+    """Where things stand in a line."""
+
+    coordinates: tuple[int, ...]
+    colours: tuple[int, ...] | None
+    """None: there are none; empty: to be found out from the numbers."""
+
+    @property
+    def used(self) -> tuple[int, ...]:
+        """All columns that are read."""
+        return self.coordinates + (self.colours or ())
+
+
+def chunks(path: Path) -> Iterator[Chunk]:
+    """Yield the points of a text file."""
+    size = max(path.stat().st_size, 1)
+    with path.open(encoding="utf-8-sig", errors="strict", newline=None) as file:
+        try:
+            yield from _parse(path, file, size)
+        except UnicodeDecodeError:
+            raise UnreadableFile(path, "it is not text.") from None
+
+
+def _parse(path: Path, file: TextIO, size: int) -> Iterator[Chunk]:
+    first, header = _first_points(path, file)
+    if first is None:
+        return
+    separator, decimal_comma = _separator(first)
+    fields = _fields(first.replace(",", ".") if decimal_comma else first, separator)
+    columns = _columns(path, header, len(fields))
+    lines = itertools.chain([first], file)
+    read = 0
+    while block := list(itertools.islice(lines, LINES)):
+        read += sum(map(len, block))
+        if decimal_comma:
+            block = [line.replace(",", ".") for line in block]
+        if columns.colours == ():
+            columns.colours = _guess_colours(block, separator, len(fields))
+        numbers = _numbers(path, block, separator, columns)
+        colours = None
+        if columns.colours:
+            colours = _as_bytes(numbers[:, 3:6])
+        yield Chunk(np.ascontiguousarray(numbers[:, :3]), colours, min(1.0, read / size))
+
+
+def _first_points(path: Path, file: TextIO) -> tuple[str | None, list[str]]:
+    """The first line of points, and the names of a header before it."""
+    header: list[str] = []
+    for line in file:
+        text = line.strip()
+        if not text:
+            continue
+        words = re.split(r"[\s,;]+", text.lstrip("#/! ").strip(" ,;"))
+        if not NUMBER.fullmatch(words[0].replace('"', "")):
+            header = [re.sub(r"[\W_]", "", word.lower()) for word in words]
+            if not text.startswith(COMMENTS) and not _names_coordinates(header):
+                raise UnreadableFile(path, f"its first line is none of points: '{text[:60]}'.")
+            continue
+        if text.startswith(COMMENTS) or len(words) == 1:  # PTS: how many points follow
+            continue
+        return line, header if _names_coordinates(header) else []
+    return None, header
+
+
+def _names_coordinates(header: list[str]) -> bool:
+    return any(set(names) <= set(header) for names in COORDINATES)
+
+
+def _separator(line: str) -> tuple[str | None, bool]:
+    """What parts the fields, None for white space, and whether decimals have a comma."""
+    if ";" in line:
+        return ";", "," in line
+    if "," in line:
+        return ",", False
+    return ("\t", False) if "\t" in line.strip() else (None, False)
+
+
+def _fields(line: str, separator: str | None) -> list[str]:
+    return [field.strip() for field in line.strip().rstrip(",;").split(separator)]
+
+
+def _columns(path: Path, header: list[str], count: int) -> Columns:
+    if count < 3:
+        raise UnreadableFile(path, "its lines have fewer than three numbers.")
+    for names in COORDINATES:
+        if set(names) <= set(header):
+            place = tuple(header.index(name) for name in names)
+            colours = next(
+                (tuple(map(header.index, c)) for c in COLOURS if set(c) <= set(header)), None
+            )
+            return Columns(place, colours)
+    return Columns((0, 1, 2), () if count >= 6 else None)
+
+
+def _guess_colours(block: list[str], separator: str | None, count: int) -> tuple[int, ...] | None:
+    """The three columns after x, y, z or, of seven and more, after the intensity, if of colours."""
+    place = (3, 4, 5) if count == 6 else (4, 5, 6)
+    values = []
+    for line in block[:1000]:
+        fields = _fields(line, separator)
+        if len(fields) == count:
+            values.append([fields[column] for column in place])
+    is_colour = all(re.fullmatch(r"\d{1,3}", word) for row in values for word in row)
+    return place if values and is_colour else None
+
+
+def _numbers(
+    path: Path, block: list[str], separator: str | None, columns: Columns
+) -> NDArray[np.float64]:
+    try:
+        return _loaded(block, separator, columns)
+    except ValueError:
+        # Some line is none of points: counts of further scans, comments, or what is broken.
+        return _loaded(_lines_of_points(path, block, separator, columns), separator, columns)
+
+
+def _loaded(block: list[str], separator: str | None, columns: Columns) -> NDArray[np.float64]:
+    if not block:
+        return np.empty((0, len(columns.used)))
+    return np.loadtxt(block, delimiter=separator, usecols=columns.used, comments=None, ndmin=2)
+
+
+def _lines_of_points(
+    path: Path, block: list[str], separator: str | None, columns: Columns
+) -> list[str]:
+    kept = []
+    for line in block:
+        text = line.strip()
+        fields = _fields(line, separator)
+        if not text or text.startswith(COMMENTS) or (len(fields) == 1 and text.isdigit()):
+            continue
+        words = [fields[column] for column in columns.used if column < len(fields)]
+        if len(words) < len(columns.used) or not all(map(NUMBER.fullmatch, words)):
+            raise UnreadableFile(path, f"this line is none of points: '{text[:60]}'.")
+        kept.append(line)
+    return kept
+
+
+def _as_bytes(colours: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """Shares of 1 become numbers up to 255, numbers of 16 bits their upper half."""
+    most = colours.max(initial=0)
+    if 0 < most <= 1 and (colours != np.floor(colours)).any():
+        colours = np.rint(255 * colours)
+    elif most > 255:
+        colours = colours // 256
+    return np.clip(colours, 0, 255).astype(np.uint8)

@@ -1,0 +1,395 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files: every format gives the points that were put into it; what is broken is named."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from pathlib import Path
+
+import laspy
+import neuralmesh
+import numpy as np
+import pye57
+import pytest
+import trimesh
+from neuralmesh import files
+from neuralmesh.files.cloud import Chunk, Reservoir
+from numpy.typing import NDArray
+from plyfile import PlyData, PlyElement
+
+Points = NDArray[np.float64]
+Colours = NDArray[np.uint8]
+
+
+def ply(path: Path, points: Points, colours: Colours, text: bool = False) -> None:
+    names = [("x", "f8"), ("y", "f8"), ("z", "f8"), ("red", "u1"), ("green", "u1"), ("blue", "u1")]
+    rows = np.empty(len(points), names)
+    for column, (name, _) in enumerate(names):
+        rows[name] = points[:, column] if column < 3 else colours[:, column - 3]
+    PlyData([PlyElement.describe(rows, "vertex")], text=text).write(str(path))
+
+
+def ply_text(path: Path, points: Points, colours: Colours) -> None:
+    ply(path, points, colours, text=True)
+
+
+def las(path: Path, points: Points, colours: Colours) -> None:
+    file = laspy.create(point_format=7, file_version="1.4")
+    file.header.scales, file.header.offsets = [1e-6] * 3, [0.0] * 3
+    file.x, file.y, file.z = points.T
+    file.red, file.green, file.blue = colours.T.astype(np.uint16) * 256
+    file.write(path)
+
+
+def e57(path: Path, points: Points, colours: Colours) -> None:
+    with pye57.E57(str(path), mode="w") as file:
+        half = len(points) // 2
+        for part in (slice(None, half), slice(half, None)):
+            data = {f"cartesian{axis}": points[part, k] for k, axis in enumerate("XYZ")}
+            names = ("colorRed", "colorGreen", "colorBlue")
+            data |= {name: colours[part, k] for k, name in enumerate(names)}
+            file.write_scan_raw(data)
+
+
+def pcd_head(points: Points, kind: str, size: int = 8) -> bytes:
+    return (
+        "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z rgb\n"
+        f"SIZE {size} {size} {size} 4\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH {len(points)}\nHEIGHT 1\n"
+        f"VIEWPOINT 0 0 0 1 0 0 0\nPOINTS {len(points)}\nDATA {kind}\n"
+    ).encode()
+
+
+def packed_colours(colours: Colours) -> NDArray[np.uint32]:
+    wide = colours.astype(np.uint32)
+    return wide[:, 0] << 16 | wide[:, 1] << 8 | wide[:, 2]
+
+
+def pcd_ascii(path: Path, points: Points, colours: Colours) -> None:
+    lines = [
+        f"{x!r} {y!r} {z!r} {c}"
+        for (x, y, z), c in zip(points.tolist(), packed_colours(colours), strict=True)
+    ]
+    path.write_bytes(pcd_head(points, "ascii") + "\n".join(lines).encode() + b"\n")
+
+
+def pcd_binary(path: Path, points: Points, colours: Colours) -> None:
+    rows = np.empty(len(points), [("xyz", "<f8", 3), ("rgb", "<u4")])
+    rows["xyz"], rows["rgb"] = points, packed_colours(colours)
+    path.write_bytes(pcd_head(points, "binary") + rows.tobytes())
+
+
+def lzf(data: bytes) -> bytes:
+    """Literal bytes, and a repetition of eight where the eight before come again."""
+    out, k = bytearray(), 0
+    while k < len(data):
+        if k >= 8 and data[k : k + 8] == data[k - 8 : k] and k + 8 <= len(data):
+            out += bytes([6 << 5, 7])  # eight bytes from eight bytes back
+            k += 8
+        else:
+            part = data[k : k + 8]
+            out += bytes([len(part) - 1]) + part
+            k += 8
+    return bytes(out)
+
+
+def pcd_compressed(path: Path, points: Points, colours: Colours) -> None:
+    block = points.T.tobytes() + packed_colours(colours).tobytes()
+    packed = lzf(block)
+    sizes = struct.pack("<II", len(packed), len(block))
+    path.write_bytes(pcd_head(points, "binary_compressed") + sizes + packed)
+
+
+def table(path: Path, points: Points, extra: NDArray, separator: str = " ", head: str = "") -> None:
+    rows = [
+        separator.join([*map(repr, p), *(f"{value:g}" for value in e)])
+        for p, e in zip(points.tolist(), extra.tolist(), strict=True)
+    ]
+    path.write_text(head + "\n".join(rows) + "\n", "utf-8")
+
+
+def xyz(path: Path, points: Points, colours: Colours) -> None:
+    table(path, points, colours)
+
+
+def csv(path: Path, points: Points, colours: Colours) -> None:
+    table(path, points, colours, ",", "x,y,z,red,green,blue\n")
+
+
+def csv_other_order(path: Path, points: Points, colours: Colours) -> None:
+    rows = np.column_stack([np.arange(len(points)), colours])
+    lines = ['"id";"R";"G";"B";"Z";"Y";"X"']
+    for row, (x, y, z) in zip(rows.tolist(), points.tolist(), strict=True):
+        lines.append(";".join([*map(str, row), repr(z), repr(y), repr(x)]).replace(".", ","))
+    path.write_text("\n".join(lines), "utf-8")
+
+
+def commented(path: Path, points: Points, colours: Colours) -> None:
+    table(path, points, colours, "\t", "\ufeff# made by a scanner\n// X Y Z R G B\n\n")
+
+
+def pts(path: Path, points: Points, colours: Colours) -> None:
+    """Two scans: count, then x y z intensity r g b."""
+    extra = np.column_stack([np.full(len(points), -1200), colours])
+    half = len(points) // 2
+    parts = []
+    for part in (slice(None, half), slice(half, None)):
+        table(path, points[part], extra[part], head=f"{len(points[part])}\n")
+        parts.append(path.read_text("utf-8"))
+    path.write_text("".join(parts), "utf-8")
+
+
+def npz(path: Path, points: Points, colours: Colours) -> None:
+    np.savez(path, points=points, colours=colours)
+
+
+def obj(path: Path, points: Points, colours: Colours) -> None:
+    lines = ["# vertices", "o cloud"]
+    for p, c in zip(points.tolist(), (colours / 255).tolist(), strict=True):
+        lines.append("v " + " ".join(map(repr, [*p, *c])))
+    path.write_text("\n".join([*lines, "vn 0 0 1", "f 1//1 2//1 3//1"]), "utf-8")
+
+
+def glb(path: Path, points: Points, colours: Colours) -> None:
+    """In a scene that moves it by 5 along x."""
+    scene = trimesh.Scene()
+    cloud = trimesh.PointCloud(points - [5, 0, 0], colors=colours)
+    scene.add_geometry(cloud, transform=trimesh.transformations.translation_matrix([5, 0, 0]))
+    path.write_bytes(scene.export(file_type="glb"))
+
+
+def gltf(path: Path, points: Points, colours: Colours) -> None:
+    """With its numbers in a file beside it."""
+    scene = trimesh.Scene(trimesh.PointCloud(points, colors=colours))
+    for name, data in scene.export(file_type="gltf").items():
+        (path if name.endswith(".gltf") else path.with_name(name)).write_bytes(data)
+
+
+def off(path: Path, points: Points, colours: Colours) -> None:
+    lines = ["OFF", f"{len(points)} 0 0", *(" ".join(map(repr, p)) for p in points.tolist())]
+    path.write_text("\n".join(lines) + "\n", "utf-8")
+
+
+WRITERS: list[tuple[str, Callable[[Path, Points, Colours], None], float, bool]] = [
+    # Name, what writes it, how exact it is, whether it has colours.
+    ("binary.ply", ply, 0, True),
+    ("text.ply", ply_text, 1e-7, True),
+    ("scan.las", las, 1e-9, True),
+    ("scan.laz", las, 1e-9, True),
+    ("scan.e57", e57, 1e-6, True),
+    ("ascii.pcd", pcd_ascii, 0, True),
+    ("binary.pcd", pcd_binary, 0, True),
+    ("compressed.pcd", pcd_compressed, 0, True),
+    ("plain.xyz", xyz, 0, True),
+    ("header.csv", csv, 0, True),
+    ("semicolons.csv", csv_other_order, 0, True),
+    ("comments.txt", commented, 0, True),
+    ("leica.pts", pts, 0, True),
+    ("array.npy", lambda path, points, _: np.save(path, points), 0, False),
+    ("arrays.npz", npz, 0, True),
+    ("mesh.obj", obj, 0, True),
+    ("mesh.glb", glb, 1e-6, True),
+    ("mesh.gltf", gltf, 1e-6, True),
+    ("mesh.off", off, 1e-9, False),
+]
+
+
+@pytest.fixture(scope="module")
+def cloud() -> tuple[Points, Colours]:
+    """300 points, the last 50 of which repeat some."""
+    random = np.random.default_rng(3)
+    points = np.round(random.random((300, 3)), 6) + np.array([4, 0, -2])
+    points[250:] = points[0]
+    colours = random.integers(0, 256, (300, 3), dtype=np.uint8)
+    return points, colours
+
+
+@pytest.mark.parametrize(
+    ("name", "writer", "tolerance", "has_colours"), WRITERS, ids=[row[0] for row in WRITERS]
+)
+def test_a_file_gives_the_points_in_order(
+    name: str,
+    writer: Callable[[Path, Points, Colours], None],
+    tolerance: float,
+    has_colours: bool,
+    cloud: tuple[Points, Colours],
+    tmp_path: Path,
+) -> None:
+    writer(tmp_path / name, *cloud)
+    found = neuralmesh.read(tmp_path / name)
+    assert found.points.shape == (300, 3)
+    assert found.total == 300
+    assert np.abs(found.points - cloud[0]).max() <= tolerance
+    assert (found.colours is not None) == has_colours
+    if found.colours is not None:
+        assert np.array_equal(found.colours, cloud[1])
+
+
+def test_every_suffix_is_tested() -> None:
+    tested = {Path(name).suffix for name, *_ in WRITERS} | {".stl", ".xyzrgb", ".asc"}
+    assert tested == {suffix for known in files.FORMATS for suffix in known.suffixes}
+
+
+def test_corners_of_an_stl_are_merged(tmp_path: Path) -> None:
+    trimesh.creation.icosphere(subdivisions=2).export(tmp_path / "ball.stl")
+    assert neuralmesh.read(tmp_path / "ball.stl").points.shape == (162, 3)
+
+
+def test_normals_are_not_taken_for_colours(tmp_path: Path) -> None:
+    points = np.random.default_rng(0).normal(size=(50, 3))
+    table(tmp_path / "normals.xyz", points, points)
+    assert neuralmesh.read(tmp_path / "normals.xyz").colours is None
+
+
+@pytest.mark.parametrize(
+    "header",
+    ["X Y Z", "//X_coord Y_coord Z_coord", '"Points:0","Points:1","Points:2"', "# a note\n3", ""],
+)
+def test_headers_that_programs_write(header: str, tmp_path: Path) -> None:
+    separator = "," if "," in header else " "
+    lines = [separator.join(row) for row in (("1", "2", "3"), ("4", "5", "6"), ("7", "8", "9"))]
+    (tmp_path / "a.txt").write_text("\r\n".join([header, *lines, ""]), "utf-8")
+    assert neuralmesh.read(tmp_path / "a.txt").points.tolist() == [[1, 2, 3], [4, 5, 6], [7, 8, 9]]
+
+
+def test_a_path_of_any_format_is_reconstructed_with_its_colours(
+    ball: Points, tmp_path: Path
+) -> None:
+    colours = np.full((5000, 3), [200, 100, 0], np.uint8)
+    las(tmp_path / "ball.laz", ball, colours)
+    made = neuralmesh.reconstruct(tmp_path / "ball.laz", 200)
+    assert np.array_equal(made.colours, np.tile([200, 100, 0, 255], (200, 1)).astype(np.uint8))
+    read = neuralmesh.read(tmp_path / "ball.laz")
+    assert np.array_equal(neuralmesh.reconstruct(read, 200).vertices, made.vertices)
+    ply_text(tmp_path / "ball.ply", ball, colours)
+    assert neuralmesh.reconstruct(tmp_path / "ball.ply", 200).colours is not None
+
+
+def test_points_without_a_return_are_left_out_of_a_pcd(
+    cloud: tuple[Points, Colours], tmp_path: Path
+) -> None:
+    points = cloud[0].copy()
+    points[::3] = np.nan
+    pcd_binary(tmp_path / "scan.pcd", points, cloud[1])
+    assert len(neuralmesh.read(tmp_path / "scan.pcd").points) == 200
+
+
+def cut(path: Path) -> None:
+    path.write_bytes(path.read_bytes()[:-40])
+
+
+@pytest.mark.parametrize(
+    ("name", "writer"),
+    [row[:2] for row in WRITERS if row[0].rsplit(".")[0] not in ("plain", "header", "comments")],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_a_file_that_is_cut_short_is_named_or_gives_what_is_there(
+    name: str,
+    writer: Callable[[Path, Points, Colours], None],
+    cloud: tuple[Points, Colours],
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / name
+    writer(path, *cloud)
+    cut(path)
+    try:
+        found = neuralmesh.read(path)
+    except ValueError as error:
+        named = str(error).startswith(f"'{path}': ")
+    except OSError:
+        named = True
+    else:
+        named = len(found.points) <= 300
+    assert named
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "sentence"),
+    [
+        ("a.docx", b"", r"'\.docx' is of no format that is read here: \.ply, "),
+        ("a.xyz", b"", "it holds no points"),
+        ("a.xyz", b"hello world\n", "its first line is none of points: 'hello world'"),
+        ("a.xyz", b"1 2 3\n4 5 x\n", "this line is none of points: '4 5 x'"),
+        ("a.xyz", b"1 2\n", "fewer than three numbers"),
+        ("a.pts", b"[Expe\x80\xff\x00", "it is not text|none of points"),
+        ("a.pcd", b"hello\n" * 70, "it has no header of a PCD file|cannot be read as PCD"),
+        ("a.ply", b"ply\nformat ascii 1.0\nend_header\n", "it has no vertices"),
+        ("a.las", b"LASF" + bytes(400), "cannot be read as LAS, LAZ or COPC"),
+        ("a.laz", b"hello", "cannot be read as LAS, LAZ or COPC"),
+        ("a.e57", b"hello", "cannot be read as E57"),
+        ("a.npy", b"hello", "cannot be read as NumPy's NPY or NPZ"),
+        ("a.glb", b"hello", "cannot be read as a mesh"),
+        ("a.obj", b"hello\n", "it holds no points"),
+    ],
+)
+def test_a_broken_file_is_named_with_the_reason(
+    name: str, content: bytes, sentence: str, tmp_path: Path
+) -> None:
+    (tmp_path / name).write_bytes(content)
+    with pytest.raises(ValueError, match=sentence) as caught:
+        neuralmesh.read(tmp_path / name)
+    assert str(caught.value).startswith(f"'{tmp_path / name}': ")
+
+
+def test_an_array_of_another_shape_is_named(tmp_path: Path) -> None:
+    np.save(tmp_path / "a.npy", np.zeros(5))
+    with pytest.raises(ValueError, match=r"it holds float64 of the shape \(5,\), not N x 3"):
+        neuralmesh.read(tmp_path / "a.npy")
+
+
+@pytest.mark.parametrize("broken", [b"\x20\x05", b"\xff", b"\x1f" + bytes(32), b"\x00\x00" * 9])
+def test_a_broken_packed_block_is_refused(broken: bytes) -> None:
+    with pytest.raises(ValueError, match="The packed block"):
+        neuralmesh._core.lzf_decompressed(broken, 20)
+
+
+# ---------------------------------------------------------------------------- more than fits
+
+
+def test_a_choice_is_uniform_without_repetition_and_in_order() -> None:
+    reservoir = Reservoir(1000)
+    for begin in range(0, 100_000, 700):
+        numbers = np.arange(begin, min(begin + 700, 100_000), dtype=np.float64)
+        reservoir.add(Chunk(np.repeat(numbers[:, None], 3, axis=1)))
+    found = reservoir.cloud()
+    chosen = found.points[:, 0]
+    assert found.total == 100_000
+    assert found.is_choice
+    assert len(chosen) == 1000
+    assert (np.diff(chosen) > 0).all()
+    counts = np.histogram(chosen, 20, (0, 100_000))[0]
+    # Of 19 degrees of freedom, one in a thousand is above 44.
+    assert ((counts - 50) ** 2 / 50).sum() < 44
+
+
+def test_a_cloud_that_fits_is_kept_whole(tmp_path: Path, cloud: tuple[Points, Colours]) -> None:
+    xyz(tmp_path / "a.xyz", *cloud)
+    assert np.array_equal(neuralmesh.read(tmp_path / "a.xyz", most_points=300).points, cloud[0])
+    choice = neuralmesh.read(tmp_path / "a.xyz", most_points=100)
+    assert len(choice.points) == 100
+    assert choice.total == 300
+
+
+@pytest.mark.parametrize("suffix", [".ply", ".obj", ".off", ".npz", ".stl", ".glb"])
+def test_a_written_mesh_is_read_again(suffix: str, ball: Points, tmp_path: Path) -> None:
+    colours = np.where(ball[:, :1] > 0, [255, 0, 0], [0, 0, 255])
+    made = neuralmesh.reconstruct(ball, 100, colours=colours, quality=ball[:, 2])
+    path = tmp_path / f"ball{suffix}"
+    assert neuralmesh.write(path, made) == ""
+    assert [file.name for file in tmp_path.iterdir()] == [path.name]
+    found = neuralmesh.read(path)
+    if suffix == ".stl":  # its corners are merged in an order of their own
+        assert found.points.shape == (100, 3)
+    else:
+        exact = suffix != ".glb"
+        assert np.abs(found.points - made.vertices).max() <= (0 if exact else 1e-6)
+    shown = trimesh.load_mesh(path, process=False) if suffix != ".npz" else None
+    if shown is not None:
+        assert len(shown.faces) == 196
+
+
+def test_loss_of_precision_is_told(ball: Points, tmp_path: Path) -> None:
+    far = neuralmesh.reconstruct(ball + np.array([4e5, 5e6, 100]), 100)
+    assert "STL holds single precision" in neuralmesh.write(tmp_path / "a.stl", far)
+    assert neuralmesh.write(tmp_path / "a.ply", far) == ""
+    assert np.array_equal(neuralmesh.read(tmp_path / "a.ply").points, far.vertices)
