@@ -55,7 +55,7 @@ def write_broken(folder: Path) -> dict[str, str]:
         "prose": "It holds no points.",
         "three": "Only 3 distinct points: a closed surface needs at least 4.",
         "cut": "It cannot be read: Unexpected EOF.",
-        "endless": f"It was not done after {TIME_OUT} s.",
+        "endless": f"It timed out: it was not done after computing for {TIME_OUT} s.",
     }
 
 

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import laspy
@@ -67,6 +70,28 @@ def test_a_file_gives_the_mesh_of_the_same_points_in_memory(
     vertices_in_memory, faces_in_memory = mesh_from(points, targetvertnum=TARGET)
     np.testing.assert_array_equal(faces, faces_in_memory)
     np.testing.assert_array_equal(vertices, vertices_in_memory)
+
+
+PROGRAM = """
+import sys
+import pymeshlab
+
+pymeshlab.load_plugin(sys.argv[1])
+document = pymeshlab.MeshSet(verbose=False)
+print(document.apply_filter(sys.argv[2], source=3, pointfile=sys.argv[3], targetvertnum=50))
+"""
+
+
+@pytest.mark.parametrize("locale", ["C", "C.UTF-8"])
+def test_a_name_with_letters_is_found_in_any_locale(
+    plugin: Path, tmp_path: Path, locale: str
+) -> None:
+    np.save(tmp_path / "größe 点.npy", sphere_points(500))
+    command = [sys.executable, "-c", PROGRAM, plugin, FILTER, tmp_path / "größe 点.npy"]
+    environment = {**os.environ, "LC_ALL": locale}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "'vertices': 50" in done.stdout
 
 
 @pytest.mark.parametrize(("version", "point_format"), [("1.2", 0), ("1.2", 3), ("1.4", 6)])

@@ -93,14 +93,21 @@ neuralmesh::Formula formula(const RichParameterList &parameters, const char *nam
     return {name, parameters.getString(name).toStdString()};
 }
 
+/// The path as the system has it. Where the locale lacks a letter, as C does, names are UTF-8.
+std::string systemName(const QString &path)
+{
+    const QByteArray encoded = QFile::encodeName(path);
+    const bool isInLocale = QFile::decodeName(encoded) == path;
+    return (isInLocale ? encoded : path.toUtf8()).toStdString();
+}
+
 TargetSpace pointFile(const QString &path, bool withDensity, const neuralmesh::Progress &progress)
 {
     if (path.isEmpty())
         throw InvalidInput("Source is a point file, but PointFile names none.");
     if (withDensity)
         throw InvalidInput("DensityFromQuality is for layers: a point file has no vertex quality.");
-    const std::string encoded = QFile::encodeName(path).toStdString();
-    auto sampler = neuralmesh::pointFileSampler(encoded, progress);
+    auto sampler = neuralmesh::pointFileSampler(systemName(path), progress);
     const std::string remark = outlierRemark(sampler->outlierShare());
     const QString name = QFileInfo(path).completeBaseName();
     return {std::move(sampler),

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -10,6 +13,7 @@ from typing import Any
 import numpy as np
 import pymeshlab
 
+from neuralmesh_tools.files import is_foreign_byte
 from neuralmesh_tools.geometry import Faces, Points
 
 
@@ -33,14 +37,35 @@ def document_of(
     return document
 
 
-def read_document(path: Path) -> pymeshlab.MeshSet:
-    """Read a file into a document of its own; raises ValueError with a sentence if it cannot be."""
-    document = pymeshlab.MeshSet(verbose=False)
+def read_document(path: Path, *, verbose: bool = False) -> pymeshlab.MeshSet:
+    """Read a file into a document of its own; raises ValueError with a sentence if it cannot be.
+
+    verbose: whether the document prints what it and its filters have to say.
+    """
+    document = pymeshlab.MeshSet(verbose=verbose)
     try:
-        document.load_new_mesh(str(path))
+        with _as_text(path) as readable:
+            document.load_new_mesh(str(readable))
     except pymeshlab.PyMeshLabException as problem:
         raise ValueError(f"It cannot be read: {details(problem)}") from None
     return document
+
+
+@contextmanager
+def _as_text(path: Path) -> Iterator[Path]:
+    """A path by which PyMeshLab finds a file: through a link where its name is no UTF-8.
+
+    Nor may it begin with a colon: alone, as PyMeshLab hands it on, such a name is one of Qt's own.
+    """
+    is_plain = not any(is_foreign_byte(character) for character in str(path))
+    if is_plain and not path.name.startswith(":"):
+        yield path
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        ending = path.suffix if path.suffix.isascii() else ""
+        link = Path(folder) / f"input{ending}"
+        link.symlink_to(path.absolute())
+        yield link
 
 
 def arrays_of(document: pymeshlab.MeshSet, layer: int | None = None) -> tuple[Points, Faces]:

@@ -11,6 +11,9 @@ import pymeshlab
 from neuralmesh_tools.batching.recipe import Recipe, Value
 from neuralmesh_tools.layers import details, figures_of, load_plugin, read_document
 
+# What PyMeshLab writes and reads with the same numbers of vertices and faces.
+READ_AGAIN = (".ply", ".obj", ".off")
+
 
 def reconstruct(recipe: Recipe, source: str, target: str) -> dict[str, Any]:
     """Load source, follow the recipe, save the layer that is then current as target.
@@ -25,7 +28,7 @@ def reconstruct(recipe: Recipe, source: str, target: str) -> dict[str, Any]:
     results = {"vertices": mesh.vertex_number(), "faces": mesh.face_number()}
     if results["vertices"] == 0:
         raise ValueError("The result is an empty mesh.")
-    document.save_current_mesh(target)
+    save(document, Path(target))
     return {**results, **figures_of(returned)}
 
 
@@ -37,14 +40,39 @@ def load_plugins(paths: tuple[Path, ...]) -> None:
 
 def load(source: Path) -> pymeshlab.MeshSet:
     """Read a scan into a document; raises ValueError if it cannot be read or is empty."""
-    if not source.exists():
-        raise ValueError("There is no such file.")
-    if not source.is_file():
-        raise ValueError("It is not a file.")
+    try:
+        if not source.exists():
+            raise ValueError("There is no such file.")
+        if not source.is_file():
+            raise ValueError("It is not a file.")
+    except OSError as problem:  # such as a name that is too long
+        raise ValueError(f"It cannot be read: {problem.strerror}.") from None
     document = read_document(source)
     if document.current_mesh().vertex_number() == 0:
         raise ValueError("It holds no points.")
     return document
+
+
+def save(document: pymeshlab.MeshSet, target: Path) -> None:
+    """Save the current layer; raises ValueError if the file is not there whole afterwards.
+
+    A disk that is full as the last block is written goes unnoticed by PyMeshLab: what it wrote is
+    read again, where it reads all that it writes.
+    """
+    counts = counts_again = _counts(document)
+    try:
+        document.save_current_mesh(str(target))
+        if target.suffix in READ_AGAIN:
+            counts_again = _counts(read_document(target))
+    except (pymeshlab.PyMeshLabException, ValueError) as problem:
+        raise ValueError(f"Its output cannot be written: {details(problem)}") from None
+    if counts_again != counts or target.stat().st_size == 0:
+        raise ValueError("Its output cannot be written: not all of it is in the file.")
+
+
+def _counts(document: pymeshlab.MeshSet) -> tuple[int, int]:
+    mesh = document.current_mesh()
+    return mesh.vertex_number(), mesh.face_number()
 
 
 def follow(document: pymeshlab.MeshSet, recipe: Recipe) -> dict[str, Any] | None:
