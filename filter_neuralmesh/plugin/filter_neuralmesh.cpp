@@ -143,6 +143,7 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
 
     Reconstruction result;
     result.seed = growthParameters.seed;
+    result.diagonal = target.sampler->frame().diagonal();
     const neuralmesh::Progress growing = part(progress, shareOfOpening, 1);
     const auto keep = [&](neuralmesh::Mesh snapshot) {
         result.snapshots.push_back(std::move(snapshot));

@@ -13,6 +13,7 @@ struct Reconstruction {
     neuralmesh::Result result;
     std::vector<neuralmesh::Mesh> snapshots; ///< by vertex count, ascending
     std::uint64_t seed = 0;
+    double diagonal = 1; ///< of the input's bounding box
     double seconds = 0;
 };
 

@@ -9,7 +9,14 @@ from typing import Any
 import pymeshlab
 
 from neuralmesh_tools.batching.recipe import Recipe, Value
-from neuralmesh_tools.layers import details, figures_of, load_plugin, read_document
+from neuralmesh_tools.geometry import diagonal
+from neuralmesh_tools.layers import (
+    details,
+    figures_of,
+    load_plugin,
+    read_document,
+    why_no_points,
+)
 
 # What PyMeshLab writes and reads with the same numbers of vertices and faces.
 READ_AGAIN = (".ply", ".obj", ".off")
@@ -23,13 +30,24 @@ def reconstruct(recipe: Recipe, source: str, target: str) -> dict[str, Any]:
     """
     load_plugins(recipe.plugins)
     document = load(Path(source))
+    size = diagonal(document.current_mesh().vertex_matrix())
     returned = follow(document, recipe)
     mesh = document.current_mesh()
     results = {"vertices": mesh.vertex_number(), "faces": mesh.face_number()}
     if results["vertices"] == 0:
         raise ValueError("The result is an empty mesh.")
     save(document, Path(target))
-    return {**results, **figures_of(returned)}
+    return {**results, **with_per_cent(figures_of(returned), size)}
+
+
+def with_per_cent(figures: dict[str, Any], size: float) -> dict[str, Any]:
+    """Add the errors, where there are any, in per cent of the input's diagonal (size)."""
+    errors = {
+        f"{name}_percent": 100 * figures[name] / size
+        for name in ("rms_error", "max_error")
+        if name in figures and size > 0
+    }
+    return {**figures, **errors}
 
 
 def load_plugins(paths: tuple[Path, ...]) -> None:
@@ -47,9 +65,9 @@ def load(source: Path) -> pymeshlab.MeshSet:
             raise ValueError("It is not a file.")
     except OSError as problem:  # such as a name that is too long
         raise ValueError(f"It cannot be read: {problem.strerror}.") from None
-    document = read_document(source)
+    document = read_document(source, verbose=True)  # what filters print goes into the log
     if document.current_mesh().vertex_number() == 0:
-        raise ValueError("It holds no points.")
+        raise ValueError(why_no_points(source))
     return document
 
 

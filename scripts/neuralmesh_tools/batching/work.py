@@ -104,7 +104,8 @@ def _do(job: Job) -> Record:
     folder.make_room_for(partial / "output")
     log = folder.new_log(name)
     outcome = _reconstruct(job, partial, log)
-    record = record_of(job, outcome)
+    printed = log.read_text(encoding="utf-8", errors="replace") if outcome.ok else ""
+    record = record_of(job, outcome, printed)
     if not folder.is_current(job.run):
         return record
     if outcome.ok:
@@ -135,8 +136,8 @@ def _reconstruct(job: Job, partial: Path, log: Path) -> Outcome:
     return outcome
 
 
-def record_of(job: Job, outcome: Outcome) -> Record:
-    """A record of an outcome that has no output (yet)."""
+def record_of(job: Job, outcome: Outcome, log: str = "") -> Record:
+    """A record of an outcome that has no output (yet); log: what the filters printed."""
     recipe = job.recipe
     results = outcome.value or {}
     return {
@@ -153,7 +154,7 @@ def record_of(job: Job, outcome: Outcome) -> Record:
         "output_bytes": 0,
         "outcome": outcome.kind,
         "error": shown(outcome.failure),
-        "warning": doubts(results),
+        "warning": shown(doubts(results, log)),
         "seconds": round(outcome.seconds, 3),
         "peak_megabytes": round(outcome.peak_bytes / 2**20, 1),
         "results": results,
