@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "neuralmesh/sampler_errors.h"
+#include "parameter_names.h"
 
 namespace {
 
@@ -12,15 +13,15 @@ using namespace neuralmesh;
 std::string filterParameter(Parameter parameter)
 {
     switch (parameter) {
-    case Parameter::targetVertexCount: return "TargetVertNum";
-    case Parameter::winnerRate: return "WinnerRate";
-    case Parameter::smoothingRate: return "SmoothingRate";
-    case Parameter::smoothingPasses: return "SmoothingPasses";
-    case Parameter::signalsPerSplit: return "SignalsPerSplit";
-    case Parameter::inactivityFactor: return "InactivityFactor";
-    case Parameter::counterDecay: return "CounterDecay";
-    case Parameter::snapshots: return "Snapshots";
-    case Parameter::maxHoleSize: return "MaxHoleSize";
+    case Parameter::targetVertexCount: return named("TargetVertNum");
+    case Parameter::winnerRate: return named("WinnerRate");
+    case Parameter::smoothingRate: return named("SmoothingRate");
+    case Parameter::smoothingPasses: return named("SmoothingPasses");
+    case Parameter::signalsPerSplit: return named("SignalsPerSplit");
+    case Parameter::inactivityFactor: return named("InactivityFactor");
+    case Parameter::counterDecay: return named("CounterDecay");
+    case Parameter::snapshots: return named("Snapshots");
+    case Parameter::maxHoleSize: return named("MaxHoleSize");
     }
     return {};
 }
@@ -28,7 +29,7 @@ std::string filterParameter(Parameter parameter)
 /// Densities come from vertex quality.
 std::string aboutDensity(const InvalidDensity &error)
 {
-    const std::string of = "DensityFromQuality: the quality of ";
+    const std::string of = named("DensityFromQuality") + ": the quality of ";
     switch (error.problem()) {
     case InvalidDensity::Problem::notValid:
         return of + std::to_string(error.broken()) + " of " + std::to_string(error.count()) +
@@ -46,8 +47,8 @@ std::string aboutRange(const EmptyRange &error)
 {
     const std::string name(1, static_cast<char>(std::toupper(error.variable())));
     const bool isCoordinate = error.variable() >= 'x';
-    return (isCoordinate ? "The box is empty: min" : "The range of " + name + " is empty: min") +
-           name + " must be below max" + name + ".";
+    return (isCoordinate ? "The box is empty: " : "The range of " + name + " is empty: ") +
+           named("min" + name) + " must be below " + named("max" + name) + ".";
 }
 
 /// With the way to convert the file that users of MeshLab have at hand.
@@ -68,7 +69,7 @@ std::string aboutFile(const InvalidPointFile &error)
     } catch (const InvalidInput &nested) {
         reason = sentenceFor(nested);
     }
-    return "PointFile '" + error.path() + "': " + reason;
+    return named("PointFile") + " '" + error.path() + "': " + reason;
 }
 
 } // namespace
@@ -81,8 +82,8 @@ std::string sentenceFor(const InvalidInput &error)
         return start->sentence("The starting layer");
     if (const auto *flat = dynamic_cast<const FlatTarget *>(&error);
         flat != nullptr && !flat->wasSought())
-        return "All points lie on a plane: a closed surface cannot be fitted to them. Set Topology "
-               "to 'Learned from the data', which makes a sheet of them.";
+        return "All points lie on a plane: a closed surface cannot be fitted to them. Use " +
+               chosen("Topology", 1, "Learned from the data") + ", which makes a sheet of them.";
     if (const auto *density = dynamic_cast<const InvalidDensity *>(&error))
         return aboutDensity(*density);
     if (const auto *range = dynamic_cast<const EmptyRange *>(&error))

@@ -15,6 +15,8 @@ QJsonObject describe(const RichParameter &parameter)
                             {"advanced", parameter.isAdvanced()}};
     if (const auto *choice = dynamic_cast<const RichEnum *>(&parameter))
         description["choices"] = QJsonArray::fromStringList(choice->enumvalues);
+    if (dynamic_cast<const RichPercentage *>(&parameter) != nullptr)
+        description["percentage"] = true;
     return description;
 }
 

@@ -9,6 +9,8 @@
 #include "filter_results.h"
 #include "host_progress.h"
 #include "layers.h"
+#include "origins.h"
+#include "parameter_names.h"
 
 namespace {
 
@@ -125,7 +127,8 @@ std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *act
     } catch (const neuralmesh::Cancelled &) {
         throw MLException("Cancelled: the document is as it was.");
     } catch (const std::bad_alloc &) {
-        throw MLException("Too little memory for this input and TargetVertNum.");
+        throw MLException("Too little memory for this input and " +
+                          QString::fromStdString(named("TargetVertNum")) + ".");
     }
 }
 
@@ -170,12 +173,18 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
         attributes.push_back(attributesOf(snapshot));
     attributes.push_back(attributesOf(result.result.mesh));
 
+    const auto addResult = [&](const neuralmesh::Mesh &mesh, const QString &name,
+                               const Attributes &carried) {
+        MeshModel &layer = addLayer(document, mesh, name);
+        setAttributes(layer, carried);
+        remember(layer, target.origin);
+    };
     const QString label = target.name + " neural mesh";
     for (std::size_t i = 0; i < result.snapshots.size(); ++i) {
         const neuralmesh::Mesh &snapshot = result.snapshots[i];
         const QString count = QString::number(snapshot.positions.size());
-        setAttributes(addLayer(document, snapshot, label + " " + count), attributes[i]);
+        addResult(snapshot, label + " " + count, attributes[i]);
     }
-    setAttributes(addLayer(document, result.result.mesh, label), attributes.back());
+    addResult(result.result.mesh, label, attributes.back());
     return resultValues(result);
 }

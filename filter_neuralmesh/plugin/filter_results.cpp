@@ -5,6 +5,8 @@
 
 #include <common/plugins/interfaces/filter_plugin.h>
 
+#include "parameter_names.h"
+
 namespace {
 
 template <class T> QVariant toVector(const std::vector<T> &values)
@@ -84,23 +86,25 @@ std::string topology(const neuralmesh::Report &report)
 std::string warnings(const neuralmesh::Report &report)
 {
     std::string text;
+    const std::string learned = chosen("Topology", 1, "Learned from the data");
     const bool isLearned = report.changes.shape != neuralmesh::LearnedShape::notAsked;
     if (report.coverage < leastCoverage)
         text += " Warning: " + percent(1 - report.coverage) +
                 " of the points are not near the mesh, which is not to be trusted. Try " +
-                (isLearned ? "" : "Topology learned from the data, or ") +
-                "a higher TargetVertNum.";
+                (isLearned ? "" : learned + ", or ") + "a higher " + named("TargetVertNum") + ".";
     if (report.unsupportedArea > mostUnsupported)
         text +=
             " Warning: " + percent(report.unsupportedArea) +
             " of the mesh lies where there are no points: it closes holes in the data, or joins "
             "parts of it. Try " +
-            (isLearned ? "Boundaries open, or a smaller MaxHoleSize."
-                       : "Topology learned from the data.");
+            (isLearned
+                 ? chosen("Boundaries", 1, "Open") + ", or a smaller " + named("MaxHoleSize") + "."
+                 : learned + ".");
     if (report.selfIntersections > 0)
         text += " Warning: " + grouped(report.selfIntersections) +
                 " faces intersect another. Where walls are closer to each other than the vertices, "
-                "a higher TargetVertNum parts them.";
+                "a higher " +
+                named("TargetVertNum") + " parts them.";
     return text;
 }
 
@@ -143,8 +147,9 @@ std::string summary(const Reconstruction &reconstruction)
                        " splits, " + grouped(report.collapseCount) + " collapses, seed " +
                        std::to_string(reconstruction.seed) + ", " + seconds + ".";
     if (report.keptIdle)
-        text += " To reach TargetVertNum, vertices were kept that are nearest to no sample. Either "
-                "the target is close to the number of points, or InactivityFactor or "
-                "SignalsPerSplit is too low.";
+        text += " To reach " + named("TargetVertNum") +
+                ", vertices were kept that are nearest to no sample. Either the target is close to "
+                "the number of points, or " +
+                named("InactivityFactor") + " or " + named("SignalsPerSplit") + " is too low.";
     return text + topology(report) + warnings(report);
 }
