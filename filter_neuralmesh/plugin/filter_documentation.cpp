@@ -28,6 +28,8 @@ QByteArray documentationOf(FilterNeuralMesh &plugin)
     QJsonArray filters;
     for (const QAction *action : plugin.actions()) {
         const auto id = plugin.ID(action);
+        if (id == FilterNeuralMesh::FromLayersByOldName)
+            continue;
         QJsonArray parameters;
         for (const RichParameter &parameter : plugin.initParameterList(action, empty))
             parameters.append(describe(parameter));

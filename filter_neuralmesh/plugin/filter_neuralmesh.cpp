@@ -17,11 +17,15 @@ namespace {
 /// Of the time of a run: the target space is opened, which is one pass over a point file.
 constexpr double shareOfOpening = 0.1;
 
+/// The host refuses a filter without a class, and puts one into the menu of each class that it
+/// knows: of this one it knows none.
+constexpr auto inNoMenu = static_cast<FilterPlugin::FilterClass>(0x40000000);
+
 } // namespace
 
 FilterNeuralMesh::FilterNeuralMesh()
 {
-    typeList = {FromLayers, FromImplicitSurface, FromParametricSurface};
+    typeList = {FromLayers, FromImplicitSurface, FromParametricSurface, FromLayersByOldName};
     for (const ActionIDType id : typeList)
         actionList.push_back(new QAction(filterName(id), this));
 }
@@ -39,7 +43,8 @@ QString FilterNeuralMesh::vendor() const
 QString FilterNeuralMesh::filterName(ActionIDType filter) const
 {
     switch (filter) {
-    case FromLayers: return "Neural Mesh Reconstruction";
+    case FromLayers: return "Surface Reconstruction: Neural Mesh";
+    case FromLayersByOldName: return "Neural Mesh Reconstruction";
     case FromImplicitSurface: return "Neural Mesh from Implicit Surface";
     case FromParametricSurface: return "Neural Mesh from Parametric Surface";
     default: return QString();
@@ -49,7 +54,8 @@ QString FilterNeuralMesh::filterName(ActionIDType filter) const
 QString FilterNeuralMesh::pythonFilterName(ActionIDType filter) const
 {
     switch (filter) {
-    case FromLayers: return "generate_surface_reconstruction_neural_mesh";
+    case FromLayers:
+    case FromLayersByOldName: return "generate_surface_reconstruction_neural_mesh";
     case FromImplicitSurface: return "create_neural_mesh_from_implicit_surface";
     case FromParametricSurface: return "create_neural_mesh_from_parametric_surface";
     default: return QString();
@@ -59,7 +65,8 @@ QString FilterNeuralMesh::pythonFilterName(ActionIDType filter) const
 QString FilterNeuralMesh::filterInfo(ActionIDType filter) const
 {
     switch (filter) {
-    case FromLayers: return aboutReconstruction();
+    case FromLayers:
+    case FromLayersByOldName: return aboutReconstruction();
     case FromImplicitSurface: return aboutImplicitSurface();
     case FromParametricSurface: return aboutParametricSurface();
     default: return QString();
@@ -68,6 +75,8 @@ QString FilterNeuralMesh::filterInfo(ActionIDType filter) const
 
 FilterPlugin::FilterClass FilterNeuralMesh::getClass(const QAction *action) const
 {
+    if (ID(action) == FromLayersByOldName)
+        return inNoMenu;
     if (ID(action) == FromLayers)
         return static_cast<FilterClass>(FilterPlugin::Remeshing | FilterPlugin::PointSet);
     return FilterPlugin::MeshCreation;
@@ -87,7 +96,8 @@ RichParameterList FilterNeuralMesh::initParameterList(const QAction *action,
                                                       const MeshDocument &document)
 {
     switch (ID(action)) {
-    case FromLayers: return reconstructionParameters(document);
+    case FromLayers:
+    case FromLayersByOldName: return reconstructionParameters(document);
     case FromImplicitSurface: return implicitParameters(document);
     case FromParametricSurface: return parametricParameters(document);
     default: return {};
@@ -108,6 +118,7 @@ std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *act
     try {
         switch (ID(action)) {
         case FromLayers:
+        case FromLayersByOldName:
             return reconstruct(parameters, document, callback,
                                [&](const neuralmesh::Progress &opening) {
                                    return makeTargetSpace(parameters, document, opening);
