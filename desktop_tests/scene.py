@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-FILTER = "Neural Mesh Reconstruction"
+FILTER = "Surface Reconstruction: Neural Mesh"
+OLD_NAME = "Neural Mesh Reconstruction"  # for scripts: in no menu
 
 # Where MeshLab looks for plugins of a user, below the home folder.
 EXTRA_PLUGINS = ".local/share/VCG/MeshLab_64bit_fp/MeshLabExtraPlugins/2025.07"
@@ -14,7 +15,7 @@ SMALL = "small.ply"
 SMALL_POINTS = 600
 FEW = "few.ply"
 FEW_POINTS = 3  # one too few
-EMPTYING_SCRIPT = "emptying.mlx"  # deletes the layer, then starts our filter
+EMPTYING_SCRIPT = "emptying.mlx"  # deletes the layer, then starts our filter by its old name
 # The filter scripts of scripts/examples, with the vertices that each asks for.
 EXAMPLE_SCRIPTS = {"neural_mesh.mlx": 3000, "clean_reconstruct_colour.mlx": 2000}
 SINGLE_PLUGIN = "single.so"

@@ -9,7 +9,7 @@ import pytest
 from display import Display
 from meshlab import MeshLab, field_beside
 from polling import wait_for
-from scene import CLOUD, FILTER, SMALL, SMALL_POINTS
+from scene import CLOUD, FILTER, OLD_NAME, SMALL, SMALL_POINTS
 from widgets import Widget
 
 MENU = ("Filters", "Remeshing, Simplification and Reconstruction")
@@ -49,6 +49,7 @@ def test_menu_shows_the_filter_beside_the_other_reconstructions(
     wait_for("the entry lit up", lit)
     screenshot("menu")
     assert entries.keys() >= set(NEIGHBOURS)
+    assert OLD_NAME not in entries
     # Below one another, that is, in the same menu, which is all there is to see.
     assert {entry.box[0]} == {entries[name].box[0] for name in NEIGHBOURS}
 

@@ -117,7 +117,7 @@ def test_a_layer_without_vertices_is_refused() -> None:
 def test_a_target_below_a_tetrahedron_is_refused(target: int) -> None:
     assert_refused(
         document_of(GOOD_POINTS),
-        f"TargetVertNum must be at least 4, not {target}.",
+        f"targetvertnum must be at least 4, not {target}.",
         targetvertnum=target,
     )
 
@@ -134,7 +134,7 @@ def test_a_target_above_the_bunnys_points_is_refused_at_once(
     start = time.perf_counter()
     assert_refused(
         bunny_points,
-        "TargetVertNum is 30000, but there are only 28088 distinct points to draw from: "
+        "targetvertnum is 30000, but there are only 28088 distinct points to draw from: "
         "at most 28088 vertices are possible.",
         targetvertnum=30000,
     )
@@ -147,7 +147,7 @@ def test_coinciding_points_count_once_for_the_largest_target() -> None:
     points = np.vstack([GOOD_POINTS, GOOD_POINTS[::-1], [[0.0, 0.0, 0.0]], [[-0.0, 0.0, -0.0]]])
     assert_refused(
         document_of(points),
-        "TargetVertNum is 52, but there are only 51 distinct points to draw from: "
+        "targetvertnum is 52, but there are only 51 distinct points to draw from: "
         "at most 51 vertices are possible.",
         targetvertnum=52,
     )
@@ -158,7 +158,7 @@ def test_coinciding_points_count_once_for_the_largest_target() -> None:
 def test_a_rate_outside_0_to_1_is_refused(name: str, value: float) -> None:
     assert_refused(
         document_of(GOOD_POINTS),
-        f"{name} must lie between 0 and 1, both excluded.",
+        f"{name.lower()} must lie between 0 and 1, both excluded.",
         targetvertnum=10,
         **{name.lower(): value},
     )
@@ -169,7 +169,7 @@ def test_a_rate_outside_0_to_1_is_refused(name: str, value: float) -> None:
 def test_a_count_below_1_is_refused(name: str, value: int) -> None:
     assert_refused(
         document_of(GOOD_POINTS),
-        f"{name} must be at least 1, not {value}.",
+        f"{name.lower()} must be at least 1, not {value}.",
         targetvertnum=10,
         **{name.lower(): value},
     )
@@ -178,7 +178,7 @@ def test_a_count_below_1_is_refused(name: str, value: int) -> None:
 def test_a_negative_seed_is_refused() -> None:
     assert_refused(
         document_of(GOOD_POINTS),
-        "RandomSeed must be 0 (a fresh seed) or positive, not -1.",
+        "randomseed must be 0 (a fresh seed) or positive, not -1.",
         targetvertnum=10,
         randomseed=-1,
     )
@@ -196,5 +196,5 @@ def test_an_unknown_split_rule_is_refused(value: object) -> None:
 
 def test_the_filter_works_after_a_refusal() -> None:
     document = document_of(GOOD_POINTS)
-    assert_refused(document, "TargetVertNum must be at least 4, not 3.", targetvertnum=3)
+    assert_refused(document, "targetvertnum must be at least 4, not 3.", targetvertnum=3)
     assert reconstruct(document, targetvertnum=20)["vertices"] == 20

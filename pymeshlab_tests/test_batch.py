@@ -52,10 +52,10 @@ def write_broken(folder: Path) -> dict[str, str]:
     return {
         "empty": "It cannot be read: Eof in header.",
         "header": "The process crashed with SIGSEGV.",  # in PyMeshLab's reader
-        "prose": "It holds no points.",
+        "prose": "No points of it can be read: its first line is 'these are no coordinates'.",
         "three": "Only 3 distinct points: a closed surface needs at least 4.",
         "cut": "It cannot be read: Unexpected EOF.",
-        "endless": f"It was not done after {TIME_OUT} s.",
+        "endless": f"It timed out: it was not done after computing for {TIME_OUT} s.",
     }
 
 

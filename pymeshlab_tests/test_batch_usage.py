@@ -6,9 +6,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from batches import run_batch
+from batches import report, run_batch
 
-from neuralmesh_tools.batching.inputs import InputError, Item, find_items
+from neuralmesh_tools.batching.inputs import InputError, Inputs, find_items
+from neuralmesh_tools.batching.left_out import left_out_text
 from neuralmesh_tools.batching.recipe import Recipe, RecipeError, parse_settings
 from neuralmesh_tools.generated_clouds import write_clouds
 
@@ -75,8 +76,8 @@ def test_a_scheduler_that_does_not_answer_is_named(clouds: Path, tmp_path: Path)
     assert "Traceback" not in run.stderr
 
 
-def names(items: list[Item]) -> list[str]:
-    return [item.name for item in items]
+def names(inputs: Inputs) -> list[str]:
+    return [item.name for item in inputs.items]
 
 
 def test_inputs_are_files_globs_folders_and_lists_each_file_once(tmp_path: Path):
@@ -91,13 +92,51 @@ def test_inputs_are_files_globs_folders_and_lists_each_file_once(tmp_path: Path)
     assert names(find_items([cloud, cloud], [listed], out)) == ["cloud001", "missing"]
 
 
-def test_two_inputs_of_one_name_are_refused_and_both_named(tmp_path: Path):
-    (first,) = write_clouds(tmp_path / "a", 1, points=4)
-    (second,) = write_clouds(tmp_path / "b", 1, points=4)
-    with pytest.raises(InputError, match="would both become cloud000") as caught:
-        find_items([str(first), str(second)], [], tmp_path / "out")
-    assert str(first) in str(caught.value)
-    assert str(second) in str(caught.value)
+def test_what_a_folder_leaves_out_is_named_and_counted(tmp_path: Path):
+    folder = tmp_path / "scans"
+    write_clouds(folder / "deep", 1, points=4)
+    for name in ("a.las", "b.LAS", "notes.txt", "README", ".batch/partial/x.ply", "out/old.txt"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).touch()
+    (folder / "gone.ply").symlink_to(folder / "nowhere.ply")
+    (folder / "loop").symlink_to(folder)
+    found = find_items([str(folder), str(folder / "notes.txt")], [], folder / "out")
+    assert names(found) == ["deep/cloud000", "notes"]
+    assert left_out_text(found.left_out) == (
+        "Left out: 2 × .las (a.las, b.LAS); 1 × a link that leads nowhere (gone.ply); "
+        "1 × a link to a folder (loop); 1 × no ending (README)."
+    )
+    with pytest.raises(InputError, match=r"holds no scans\. Left out: 1 × \.txt \(old\.txt\)\.$"):
+        find_items([str(folder / "out")], [], tmp_path / "out")
+
+
+def test_a_batch_says_what_its_folder_leaves_out(clouds: Path, tmp_path: Path):
+    (clouds / "tile.laz").touch()
+    run = run_batch(clouds, "--out", tmp_path / "out", "--vertices", 20)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "Left out: 1 × .laz (tile.laz)." in run.stdout
+    assert report(tmp_path / "out")["left_out"] == [
+        {"path": str(clouds / "tile.laz"), "kind": ".laz"}
+    ]
+
+
+def test_inputs_of_one_name_keep_apart(tmp_path: Path):
+    for folder in ("a", "b", "b/sub"):
+        (tmp_path / folder).mkdir()
+    files = ["a/one.ply", "a/two.ply", "a/two.xyz", "a/three.ply", "b/three.ply", "b/Three.PLY"]
+    files += ["b/sub/four.ply", "a/four.ply", "a/two.ply.off"]
+    for file in files:
+        (tmp_path / file).touch()
+    found = names(find_items([str(tmp_path / file) for file in files], [], tmp_path / "out"))
+    assert found[:3] == ["one", "a/two.ply", "two.xyz"]
+    assert found[3] == "a/three.ply"
+    assert found[6:] == ["sub/four.ply", "a/four.ply", "two.ply.off"]
+    # Where case does not count, these two are one name: a hash of their paths tells them apart.
+    assert [name.split("-")[0] for name in found[4:6]] == ["three.ply", "Three.PLY"]
+    assert len({name.casefold() for name in found}) == len(files)
+    in_a_folder = names(find_items([str(tmp_path / "a")], [], tmp_path / "out"))
+    assert in_a_folder[0] == "four"
+    assert {"two.xyz", "three", "one"} < set(in_a_folder)
 
 
 def test_values_take_the_type_of_the_default():

@@ -5,14 +5,19 @@ from __future__ import annotations
 
 import csv
 import json
+import os
+import shutil
+import signal
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pymeshlab
 import pytest
+from batches import wait_for
 from browser import chromium
 from documents import mesh_from, sphere_points
 from selenium.webdriver import Chrome
@@ -95,7 +100,7 @@ def test_each_result_has_a_view_and_all_share_one_colour_scale(page: Chrome):
         assert page.execute_script(axes, views) == ["coloraxis"] * len(METHODS)
         scale = page.execute_script("return arguments[0].layout.coloraxis", views)
         assert scale["cmin"] == 0 < scale["cmax"]
-        assert "units of the input" in scale["colorbar"]["title"]["text"]
+        assert "% of the diagonal" in scale["colorbar"]["title"]["text"]
 
 
 def test_views_show_surfaces_and_not_an_empty_canvas(page: Chrome):
@@ -182,7 +187,12 @@ def test_tables_hold_what_was_measured(report: Path):
     assert (ours["vertices"], ours["genus"], ours["boundary_edges"]) == ("750", "0", "0")
     # 3,000 points lie 1.5 % of the diagonal apart: the faces between them are off by far less.
     whole = json.loads((report / "results.json").read_text(encoding="utf-8"))["clouds"][0]
-    assert 0 < float(ours["rms"]) < 0.005 * whole["input"]["diagonal"]
+    assert 0 < float(ours["rms_percent"]) < 0.5
+    assert ours["coverage_percent"] == "100.0"
+    assert (ours["doubts"], rows[1]["coverage_percent"]) == ("", "")
+    half = rows[3]
+    assert half["doubts"].endswith("% of the mesh lies where there are no points.")
+    assert float(half["unsupported_area_percent"]) > 20
     assert whole["input"]["normals"].startswith("estimated from 16 neighbours")
     assert whole["verdict"].startswith("Use ")
     counts = [count for count, _ in whole["results"][0]["error_by_vertices"]]
@@ -194,8 +204,11 @@ def test_a_method_that_takes_too_long_is_a_row(tmp_path: Path):
     methods = ("--methods", "neural-mesh,ball-pivoting", "--timeout", 0.01)
     run = compare(tmp_path / "cloud.ply", "--out", tmp_path / "out", *methods)
     assert run.returncode == 1
-    assert run.stdout.count("It was not done after 0.01 s.") == 2
-    assert "No method gave a mesh." in (tmp_path / "out" / "report.html").read_text("utf-8")
+    assert run.stdout.count("It timed out: it was not done after computing for 0.01 s.") == 2
+    page = (tmp_path / "out" / "report.html").read_text("utf-8")
+    assert "No method gave a mesh." in page
+    assert "Neural Mesh and ball pivoting timed out: a longer --timeout may change" in page
+    assert page.count('<td colspan="3">timed out</td>') == 2
 
 
 def test_a_reference_is_measured_against_instead_of_the_cloud(tmp_path: Path):
@@ -210,7 +223,124 @@ def test_a_reference_is_measured_against_instead_of_the_cloud(tmp_path: Path):
     found = json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))
     assert found["about"]["against"] == "the surface larger.ply"
     # Every point of the unit sphere is 0.1 off the larger one; faces are 1e-3 inside of theirs.
-    assert found["clouds"][0]["results"][0]["values"]["rms"] == pytest.approx(0.1, rel=0.02)
+    diagonal = found["clouds"][0]["input"]["diagonal"]
+    percent = found["clouds"][0]["results"][0]["values"]["rms_percent"]
+    assert percent * diagonal / 100 == pytest.approx(0.1, rel=0.02)
+
+
+@pytest.mark.parametrize("out", ["", "/proc", "{cloud}/out", "/proc/self/new"])
+def test_a_folder_that_cannot_be_written_to_is_named_before_anything_runs(tmp_path: Path, out: str):
+    cloud = tmp_path / "cloud.ply"
+    write_ply(cloud, bumpy_ellipsoid(100, 1))
+    run = compare(cloud, "--out", out.format(cloud=cloud))
+    assert run.returncode == 2
+    assert "cannot be written to" in run.stderr or "is empty: it names no folder" in run.stderr
+    assert "Traceback" not in run.stderr
+    assert run.stdout == ""
+
+
+def test_the_same_command_does_the_clouds_that_are_missing_only(tmp_path: Path):
+    clouds = [tmp_path / name for name in ("a/cloud.ply", "b/cloud.ply", "[/]:x:.ply")]
+    for seed, cloud in enumerate(clouds):
+        cloud.parent.mkdir(parents=True, exist_ok=True)
+        write_ply(cloud, bumpy_ellipsoid(200, seed))
+    odd = os.fsdecode(bytes(tmp_path) + b"/\xff.ply")
+    shutil.copy(clouds[0], odd)
+    arguments = ("--out", tmp_path / "out", "--methods", "ball-pivoting")
+    assert compare(clouds[0], *arguments).returncode == 0
+    first = json.loads((tmp_path / "out" / "results.json").read_text())["clouds"]
+    run = compare(*clouds, odd, *arguments)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert run.stdout.count("done before") == 2  # the fourth is a copy of the first
+    found = json.loads((tmp_path / "out" / "results.json").read_text())["clouds"]
+    assert [cloud["cloud"] for cloud in found] == ["a/cloud.ply", "b/cloud.ply", "]:x:", "%FF"]
+    assert found[0]["results"] == first[0]["results"]
+    run = compare(*clouds, *arguments, "--vertices", 20)
+    assert "done before" not in run.stdout
+
+
+def test_a_report_is_there_after_each_cloud_and_ctrl_c_is_no_traceback(tmp_path: Path):
+    write_ply(tmp_path / "small.ply", bumpy_ellipsoid(100, 1))
+    write_ply(tmp_path / "large.ply", bumpy_ellipsoid(2_000_000, 1))
+    command = [sys.executable, str(SCRIPTS / "compare.py"), "small.ply", "large.ply"]
+    running = subprocess.Popen(
+        [*command, "--out", "out", "--methods", "ball-pivoting"],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
+    page = tmp_path / "out" / "report.html"
+    wait_for(page.is_file, "the report of the first cloud")
+    running.send_signal(signal.SIGINT)
+    output, _ = running.communicate(timeout=60)
+    assert running.returncode == 130, output
+    assert "stopped; 1 of 2 clouds done; the same command goes on from here" in output
+    assert "Traceback" not in output
+    assert "1 of 2 so far; the same command does the rest" in page.read_text("utf-8")
+
+
+@pytest.fixture
+def screen(browser: Chrome) -> Iterator[Callable[[int], Chrome]]:
+    """The page on a screen of a width in pixels, its second cloud shown and drawn."""
+
+    def of(width: int) -> Chrome:
+        size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 700}
+        browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+        browser.execute_script("location.reload()")
+        WebDriverWait(browser, 60).until(lambda driver: driver.find_elements(By.ID, "tab1"))
+        browser.execute_script("document.getElementById('tab1').click()")
+        wait_until_drawn(browser, 1)
+        return browser
+
+    yield of
+    browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+PLACES = """
+const box = element => { const b = element.getBoundingClientRect();
+                         return [b.left, b.top, b.right, b.bottom].map(Math.round); };
+const panel = document.getElementById("cloud1");
+const all = selector => [...panel.querySelectorAll(selector)].map(box);
+return {
+  overflow: document.documentElement.scrollWidth - document.documentElement.clientWidth,
+  views: all(".views .gl-container > div"), bar: all(".views .colorbar .cbfills")[0],
+  charts: all(".charts .nsewdrag"), table: all(".scroll")[0],
+  scrolls: (p => p.scrollWidth > p.clientWidth)(panel.querySelector(".scroll")),
+  doubts: panel.querySelectorAll("p.doubt").length,
+  shown: innerWidth,
+};
+"""
+
+
+def test_on_a_phone_views_and_charts_stand_below_each_other(screen: Callable[[int], Chrome]):
+    found = screen(390).execute_script(PLACES)
+    assert found["shown"] == 390
+    assert found["overflow"] <= 0
+    assert found["scrolls"]
+    views = found["views"]
+    assert len(views) == 1 + len(METHODS)
+    for above, below in pairwise(views):
+        assert above[3] <= below[1]
+    assert all(left >= 20 and right <= 370 and right - left > 250 for left, _, right, _ in views)
+    left, top, right, bottom = found["bar"]
+    assert right - left > 200 > 40 > bottom - top
+    assert bottom < views[0][1]
+    first, second = found["charts"]
+    assert first[3] < second[1]
+    assert found["doubts"] >= 1
+
+
+def test_on_a_wide_screen_views_stand_side_by_side(screen: Callable[[int], Chrome]):
+    found = screen(1400).execute_script(PLACES)
+    assert found["overflow"] <= 0
+    tops = [view[1] for view in found["views"]]
+    assert tops[0] == tops[1] == tops[2] < tops[3]
+    left, top, right, bottom = found["bar"]
+    assert bottom - top > 200 > 40 > right - left
+    first, second = found["charts"]
+    assert first[2] < second[0]
 
 
 @pytest.mark.parametrize(
@@ -220,6 +350,10 @@ def test_a_reference_is_measured_against_instead_of_the_cloud(tmp_path: Path):
         (["--vertices", "3"], "--vertices must be at least 16"),
         (["none.ply"], "there is no file none.ply"),
         (["--reference", "{cloud}"], "It has no faces, so it is no surface to measure against."),
+        (["--timeout", "nan"], "must be a positive number, not 'nan'"),
+        (["--threshold", "inf"], "must be a positive number, not 'inf'"),
+        (["x" * 300], "there is no file xxx"),
+        ([""], "there is no file ."),
     ],
 )
 def test_what_cannot_work_is_said_at_once(tmp_path: Path, options: list[str], sentence: str):

@@ -3,16 +3,25 @@
 
 from __future__ import annotations
 
+import io
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from neuralmesh_tools.comparison.clouds import Cloud, Reference, load_cloud, load_surface
+from neuralmesh_tools.comparison.kept import keep, kept
 from neuralmesh_tools.comparison.measures import error_of, measure
-from neuralmesh_tools.comparison.run import Comparison, Result, default_vertices
+from neuralmesh_tools.comparison.run import (
+    Comparison,
+    Result,
+    default_vertices,
+    in_per_cent,
+)
 from neuralmesh_tools.comparison.verdict import judge
 from neuralmesh_tools.generated_clouds import write_ply
+from neuralmesh_tools.layers import why_no_points
 from neuralmesh_tools.methods import Reconstruction
 from neuralmesh_tools.quality.shapes import unit_sphere
 
@@ -22,7 +31,7 @@ SPHERE = unit_sphere(40)
 def sphere_cloud() -> Cloud:
     """The 6,402 vertices of SPHERE, with their true normals."""
     points, _ = SPHERE
-    return Cloud("sphere", points, points, "its own", spacing=0.03)
+    return Cloud(points, points, "its own", spacing=0.03)
 
 
 def test_a_larger_sphere_is_off_by_its_radius_against_a_surface_and_a_cloud():
@@ -53,7 +62,7 @@ def test_gaps_between_points_are_no_error_but_surface_far_from_them_is():
     # Points 1 apart on a plane: a spot between them is on it, one 10 outside is 10 away.
     x, y = np.meshgrid(np.arange(20.0), np.arange(20.0))
     points = np.column_stack([x.ravel(), y.ravel(), np.zeros(400)])
-    cloud = Cloud("plane", points, np.tile([0.0, 0, 1], (400, 1)), "its own", spacing=1.0)
+    cloud = Cloud(points, np.tile([0.0, 0, 1], (400, 1)), "its own", spacing=1.0)
     reference = Reference(cloud, None)
     probes = np.array([[4.5, 4.5, 0.0], [4.5, 4.5, 0.2], [29.0, 5.0, 0.0]])
     assert reference.distances(probes) == pytest.approx([0, 0.2, 10])
@@ -113,14 +122,14 @@ def result(method: str, rms: float, seconds: float, **changes: float) -> Result:
         "boundary_edges": 0,
         "far_from_points": 0.0,
     }
-    values = {**sound, "rms": rms, "seconds": seconds, **changes}
+    values = {**sound, "rms_percent": rms, "seconds": seconds, **changes}
     nothing = Reconstruction(np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int32), seconds)
     return Result(method, values=values, mesh=nothing)
 
 
 def verdict_on(*results: Result) -> tuple[str, str]:
     """The method recommended and all that is said."""
-    verdict = judge(Comparison("made-up", "", "", sphere_cloud(), 500, list(results)))
+    verdict = judge(Comparison("made-up", "", "", sphere_cloud().facts(), 500, list(results)))
     return verdict.method, f"{verdict.sentence} {verdict.more}"
 
 
@@ -165,6 +174,99 @@ def test_an_open_scan_takes_an_open_mesh_and_names_the_one_that_closes_it():
     assert words.startswith("The scan is open: use ball pivoting, RMS error")
     assert "If it must be closed, use Neural Mesh" in words
     assert "30 % of its surface is made up" in words
+
+
+def test_a_time_out_is_named_as_the_reason():
+    late = Result("poisson", "It timed out: it was not done in time.", "timed out")
+    assert verdict_on(late) == (
+        "",
+        "No method gave a mesh. Screened Poisson timed out: a longer --timeout may change the "
+        "answer.",
+    )
+    late = [late, replace(late, method="vcg")]
+    method, words = verdict_on(*late, result("neural-mesh", 0.1, 1))
+    assert method == "neural-mesh"
+    assert "Screened Poisson and the VCG volume timed out: a longer --timeout may" in words
+
+
+def test_an_answer_that_is_doubted_says_so():
+    doubted = replace(result("neural-mesh", 0.1, 1), doubts="The points leave the shape open.")
+    _, words = verdict_on(doubted)
+    assert words.endswith("Look at it before you trust it: The points leave the shape open.")
+
+
+def test_errors_are_told_in_per_cent_and_named_for_it():
+    values = in_per_cent({"rms": 0.02, "missed": 3.0, "genus": None}, 50)
+    assert values == {"rms_percent": 1.0, "missed": 3.0, "genus": None}
+
+
+def made_up() -> Comparison:
+    """A comparison with a mesh, a failure and a figure that is none."""
+    points, faces = SPHERE
+    mesh = Reconstruction(points, faces, 1.5, 1.25, {"genus": 0})
+    values = {"genus": None, "rms_percent": 0.5, "faces": len(faces)}
+    error = np.linspace(0, 1, len(faces), dtype="f4")
+    shares = [0.0, 100.0]
+    full = Result("neural-mesh", "", "returned", "Doubt.", values, [(9, 0.5)], mesh, error, shares)
+    failed = Result("poisson", "It timed out.", "timed out")
+    return Comparison("sphere", "a.ply", "", sphere_cloud().facts(), 500, [full, failed])
+
+
+def test_what_is_kept_comes_back_as_it_was(tmp_path: Path):
+    comparison = made_up()
+    keep(comparison, tmp_path, "0" * 64)
+    again = kept("sphere", "a.ply", tmp_path, "0" * 64)
+    assert again is not None
+    assert again.cloud is not None
+    assert comparison.cloud is not None
+    np.testing.assert_array_equal(again.cloud.shown, comparison.cloud.shown)
+    assert replace(again.cloud, shown=comparison.cloud.shown) == comparison.cloud
+    assert (again.vertices, again.results[1]) == (500, comparison.results[1])
+    first, before = again.results[0], comparison.results[0]
+    assert first.mesh is not None
+    assert before.mesh is not None
+    np.testing.assert_array_equal(first.mesh.faces, before.mesh.faces)
+    np.testing.assert_array_equal(first.face_error, before.face_error)
+    same = {"mesh": None, "face_error": None}
+    assert replace(first, **same) == replace(before, **same)
+    assert kept("sphere", "a.ply", tmp_path, "1" * 64) is None
+
+
+def test_what_may_go_well_another_time_is_not_kept(tmp_path: Path):
+    comparison = made_up()
+    crashed = Result("poisson", "The process crashed with SIGSEGV.", "crashed")
+    keep(replace(comparison, results=[crashed]), tmp_path, "0" * 64)
+    keep(replace(comparison, cloud=None), tmp_path, "1" * 64)
+    assert not (tmp_path / ".compare").exists()
+
+
+@pytest.mark.parametrize("content", [b"", b"PK\x03\x04", b"\x80\x04N.", b"text"])
+def test_what_is_kept_in_a_foreign_folder_runs_nothing(tmp_path: Path, content: bytes):
+    keep(made_up(), tmp_path, "0" * 64)
+    file = tmp_path / ".compare" / f"{'0' * 64}.npz"
+    file.write_bytes(content)
+    assert kept("sphere", "a.ply", tmp_path, "0" * 64) is None
+    pickled = io.BytesIO()
+    np.savez(pickled, told=np.array([object()], dtype=object))
+    file.write_bytes(pickled.getvalue())
+    assert kept("sphere", "a.ply", tmp_path, "0" * 64) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "sentence"),
+    [
+        ("a.ply", "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n", "It holds no points."),
+        ("a.xyz", " \n\n", "It holds no points."),
+        ("a.xyz", "# x y z\n", "It holds no points."),
+        ("a.xyz", "x;y;z\n1;2;3\n", "No points of it can be read: its first line is 'x;y;z'."),
+        ("a.stl", "\0" * 80, "No points of it can be read, though it is not empty: is it a .stl"),
+    ],
+)
+def test_a_file_holds_no_points_only_where_that_is_so(
+    tmp_path: Path, name: str, content: str, sentence: str
+):
+    (tmp_path / name).write_text(content, encoding="utf-8")
+    assert why_no_points(tmp_path / name).startswith(sentence)
 
 
 def test_failures_alone_recommend_nothing():

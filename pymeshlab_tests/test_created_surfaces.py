@@ -127,30 +127,30 @@ IMPLICIT_CASES = [
         {"expr": "log(x) + y + z"},
         "expr is not finite at (-1, -1, -1), which is in the box.",
     ),
-    ({"miny": 1, "maxy": 1}, "The box is empty: minY must be below maxY."),
-    ({"maxz": np.nan}, "The box is empty: minZ must be below maxZ."),
+    ({"miny": 1, "maxy": 1}, "The box is empty: miny must be below maxy."),
+    ({"maxz": np.nan}, "The box is empty: minz must be below maxz."),
     (
         {"expr": "x + y", "topology": 0},
-        "All points lie on a plane: a closed surface cannot be fitted to them. Set Topology to "
-        "'Learned from the data', which makes a sheet of them.",
+        "All points lie on a plane: a closed surface cannot be fitted to them. Use topology=1, "
+        "which makes a sheet of them.",
     ),
-    ({"targetvertnum": 3}, "TargetVertNum must be at least 4, not 3."),
+    ({"targetvertnum": 3}, "targetvertnum must be at least 4, not 3."),
 ]
 
 PARAMETRIC_CASES = [
     ({"y": "u +* v"}, 'y does not parse: Unexpected operator "*" found at position 3.'),
     ({"z": ""}, "z is empty."),
     ({"x": "1/u"}, "x is not finite at u = 0, v = 0."),
-    ({"minu": 1, "maxu": 0}, "The range of U is empty: minU must be below maxU."),
-    ({"maxv": np.inf}, "The range of V is empty: minV must be below maxV."),
+    ({"minu": 1, "maxu": 0}, "The range of U is empty: minu must be below maxu."),
+    ({"maxv": np.inf}, "The range of V is empty: minv must be below maxv."),
     (
         {"x": "1", "y": "2", "z": "3"},
         "All points lie in one place: there is no surface to reconstruct.",
     ),
     (
         {"x": "u", "y": "v", "z": "0", "topology": 0},
-        "All points lie on a plane: a closed surface cannot be fitted to them. Set Topology to "
-        "'Learned from the data', which makes a sheet of them.",
+        "All points lie on a plane: a closed surface cannot be fitted to them. Use topology=1, "
+        "which makes a sheet of them.",
     ),
     (
         {"x": "cos(u)", "y": "sin(u)", "z": "u"},
@@ -158,7 +158,7 @@ PARAMETRIC_CASES = [
     ),
     (
         {"snapshots": "2"},
-        "Snapshots names 2 vertices, fewer than the 4 vertices of the starting mesh.",
+        "snapshots names 2 vertices, fewer than the 4 vertices of the starting mesh.",
     ),
 ]
 

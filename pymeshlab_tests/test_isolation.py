@@ -33,6 +33,12 @@ def hang_in_c() -> None:
     ctypes.PyDLL(None).pause()  # holds the interpreter's lock, as a PyMeshLab filter does
 
 
+def compute(seconds: float) -> None:
+    end = time.process_time() + seconds
+    while time.process_time() < end:
+        pass
+
+
 def fill_memory() -> None:
     kept = []
     while True:
@@ -81,9 +87,46 @@ def test_a_hang_in_c_is_killed_at_its_time_out():
     with IsolatedProcess() as process:
         hung = process.call(pid_of).value
         outcome = process.call(hang_in_c, timeout=0.2)
-        assert (outcome.kind, outcome.failure) == ("timed out", "It was not done after 0.2 s.")
+        assert (outcome.kind, outcome.failure) == (
+            "timed out",
+            "It timed out: it was not done after 0.2 s.",
+        )
         assert not psutil.pid_exists(hung)
         assert process.call(add, 1, 1).value == 2
+
+
+def test_a_limit_of_computing_is_not_that_of_the_clock():
+    sentence = "It timed out: it was not done after computing for 0.3 s."
+    with IsolatedProcess() as process:
+        assert process.call(time.sleep, 1, cpu_timeout=0.3).ok  # a busy machine makes it wait
+        outcome = process.call(compute, 60, cpu_timeout=0.3)
+        assert (outcome.kind, outcome.failure) == ("timed out", sentence)
+        # What waits and never computes is given up too, after ten times as long.
+        outcome = process.call(hang_in_c, cpu_timeout=0.05)
+        assert (outcome.kind, outcome.failure) == (
+            "timed out",
+            "It timed out: it was not done after 0.5 s.",
+        )
+
+
+def test_each_call_has_its_own_limit_of_computing():
+    with IsolatedProcess() as process:
+        assert all(process.call(compute, 0.4, cpu_timeout=0.8).ok for _ in range(4))
+
+
+def test_names_of_files_are_utf8_whatever_the_locale_is():
+    script = (
+        "import sys; sys.path[:0] = sys.argv[1:]\n"
+        "from neuralmesh_tools.isolation import IsolatedProcess\n"
+        "with IsolatedProcess() as process:\n"
+        "    print(process.call('locale:getencoding').value)\n"
+    )
+    scripts = Path(__file__).resolve().parent.parent / "scripts"
+    command = [sys.executable, "-c", script, str(scripts)]
+    for name in ("C", "POSIX", "C.UTF-8"):
+        environment = {**os.environ, "LC_ALL": name}
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        assert done.stdout.strip().lower() == "utf-8"
 
 
 def test_memory_beyond_the_limit_ends_the_call():

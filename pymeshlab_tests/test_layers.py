@@ -88,8 +88,7 @@ def test_uneven_vertices_make_no_difference_to_a_surface() -> None:
 def test_a_layer_without_faces_has_no_surface() -> None:
     assert_refused(
         document_of(sphere_points(100)),
-        "The current layer has no faces, so it has no surface to sample: choose its points as "
-        "the Source.",
+        "The current layer has no faces, so it has no surface to sample: choose source=0.",
         targetvertnum=10,
         source=SURFACE,
     )
@@ -225,7 +224,7 @@ def test_points_of_quality_0_are_as_if_they_were_not_there() -> None:
     assert np.linalg.norm(vertices, axis=1) == pytest.approx(1.0, abs=0.05)
     assert_refused(
         with_quality(points, quality),
-        "TargetVertNum is 2001, but there are only 2000 distinct points to draw from: at most "
+        "targetvertnum is 2001, but there are only 2000 distinct points to draw from: at most "
         "2000 vertices are possible.",
         targetvertnum=2001,
         densityfromquality=True,
@@ -242,25 +241,25 @@ def test_density_holds_on_a_surface_too(mesh_set: pymeshlab.MeshSet) -> None:
 QUALITY_CASES = [
     pytest.param(
         {7: -1.0, 30: -0.5},
-        "DensityFromQuality: the quality of 2 of 50 vertices is negative, NaN or infinite (the "
+        "densityfromquality: the quality of 2 of 50 vertices is negative, NaN or infinite (the "
         "first is vertex 7).",
         id="negative",
     ),
     pytest.param(
         {11: np.nan},
-        "DensityFromQuality: the quality of 1 of 50 vertices is negative, NaN or infinite (the "
+        "densityfromquality: the quality of 1 of 50 vertices is negative, NaN or infinite (the "
         "first is vertex 11).",
         id="nan",
     ),
     pytest.param(
         {49: np.inf},
-        "DensityFromQuality: the quality of 1 of 50 vertices is negative, NaN or infinite (the "
+        "densityfromquality: the quality of 1 of 50 vertices is negative, NaN or infinite (the "
         "first is vertex 49).",
         id="infinite",
     ),
     pytest.param(
         dict.fromkeys(range(50), 0.0),
-        "DensityFromQuality: the quality of all vertices is 0, so none would be sampled.",
+        "densityfromquality: the quality of all vertices is 0, so none would be sampled.",
         id="zero",
     ),
     pytest.param(
@@ -289,7 +288,7 @@ def test_a_layer_without_quality_is_refused(
     mesh_set.load_new_mesh(str(sample_meshes / "bone.ply"))
     assert_refused(
         mesh_set,
-        "DensityFromQuality: layer 'bone.ply' has no vertex quality. Compute one first.",
+        "densityfromquality: layer 'bone.ply' has no vertex quality. Compute one first.",
         targetvertnum=10,
         densityfromquality=True,
     )

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -68,7 +69,14 @@ def test_a_learned_topology_is_told(log: Log) -> None:
 def test_a_topology_that_the_points_leave_open_is_told(log: Log) -> None:
     points = np.vstack([sphere_points(3000), 0.85 * sphere_points(3000)])
     line = log.of(points)
-    assert "It was learned from the data, which leave it open: handles or parts may be" in line
+    assert "Warning: the points leave the shape open: handles or parts may be missing" in line
+
+
+def test_figures_are_written_as_people_write_them(log: Log) -> None:
+    line = log.of(sphere_points(4000), targetvertnum=1200)
+    assert "Neural mesh: 1,200 vertices, 2,396 faces, " in line
+    assert re.search(r" RMS error 0\.00\d+ \(0\.0\d+ % of the diagonal\); ", line)
+    assert re.search(r"; \d{2,3},\d{3} signals, \d{3} splits, \d+ collapses, seed 1, ", line)
 
 
 def test_a_topology_that_is_that_of_the_start_is_told(log: Log) -> None:

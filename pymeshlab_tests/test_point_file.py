@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import laspy
@@ -69,6 +72,28 @@ def test_a_file_gives_the_mesh_of_the_same_points_in_memory(
     np.testing.assert_array_equal(vertices, vertices_in_memory)
 
 
+PROGRAM = """
+import sys
+import pymeshlab
+
+pymeshlab.load_plugin(sys.argv[1])
+document = pymeshlab.MeshSet(verbose=False)
+print(document.apply_filter(sys.argv[2], source=3, pointfile=sys.argv[3], targetvertnum=50))
+"""
+
+
+@pytest.mark.parametrize("locale", ["C", "C.UTF-8"])
+def test_a_name_with_letters_is_found_in_any_locale(
+    plugin: Path, tmp_path: Path, locale: str
+) -> None:
+    np.save(tmp_path / "größe 点.npy", sphere_points(500))
+    command = [sys.executable, "-c", PROGRAM, plugin, FILTER, tmp_path / "größe 点.npy"]
+    environment = {**os.environ, "LC_ALL": locale}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "'vertices': 50" in done.stdout
+
+
 @pytest.mark.parametrize(("version", "point_format"), [("1.2", 0), ("1.2", 3), ("1.4", 6)])
 def test_a_las_file_at_utm_coordinates_gives_its_surface_in_place(
     version: str, point_format: int, tmp_path: Path
@@ -120,7 +145,7 @@ def test_a_broken_file_gets_its_own_sentence(broken: BrokenFile, tmp_path: Path)
     path.write_bytes(broken.content)
     document = pymeshlab.MeshSet(verbose=False)
     sentence = refusal(document, pointfile=str(path), targetvertnum=8)
-    assert sentence == f"PointFile '{path}': {broken.sentence}"
+    assert sentence == f"pointfile '{path}': {broken.sentence}"
     assert document.mesh_number() == 0
 
 
@@ -134,12 +159,12 @@ def test_the_corpus_is_broken_in_what_it_changes_only(name: str, tmp_path: Path)
 def test_what_is_no_file_is_refused(mesh_set: pymeshlab.MeshSet, tmp_path: Path) -> None:
     missing = tmp_path / "missing.ply"
     assert refusal(mesh_set, pointfile=str(missing)) == (
-        f"PointFile '{missing}': the file cannot be opened: No such file or directory."
+        f"pointfile '{missing}': the file cannot be opened: No such file or directory."
     )
     assert refusal(mesh_set, pointfile=str(tmp_path)) == (
-        f"PointFile '{tmp_path}': it is no ordinary file but a folder, a pipe or a device."
+        f"pointfile '{tmp_path}': it is no ordinary file but a folder, a pipe or a device."
     )
-    assert refusal(mesh_set) == "Source is a point file, but PointFile names none."
+    assert refusal(mesh_set) == "source is a point file, but pointfile names none."
     assert mesh_set.mesh_number() == 0
 
 
@@ -147,7 +172,7 @@ def test_more_vertices_than_distinct_points_are_refused(tmp_path: Path) -> None:
     np.save(tmp_path / "few.npy", np.repeat(sphere_points(50), 4, axis=0))
     document = pymeshlab.MeshSet(verbose=False)
     assert refusal(document, pointfile=str(tmp_path / "few.npy"), targetvertnum=51) == (
-        "TargetVertNum is 51, but there are only 50 distinct points to draw from: "
+        "targetvertnum is 51, but there are only 50 distinct points to draw from: "
         "at most 50 vertices are possible."
     )
 
@@ -156,7 +181,7 @@ def test_a_file_has_no_density(tmp_path: Path) -> None:
     np.save(tmp_path / "sphere.npy", sphere_points(50))
     document = pymeshlab.MeshSet(verbose=False)
     assert refusal(document, pointfile=str(tmp_path / "sphere.npy"), densityfromquality=True) == (
-        "DensityFromQuality is for layers: a point file has no vertex quality."
+        "densityfromquality is for layers: a point file has no vertex quality."
     )
 
 

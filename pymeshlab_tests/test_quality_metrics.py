@@ -275,7 +275,7 @@ def test_a_method_that_takes_too_long_is_a_row():
     settings = Settings(plugin=Path(), timeout=0.01, fresh=True)
     group = Group("step", "clean", 1, 40)
     rows = list(run_group(group, [Variant("ball-pivoting")], settings))
-    assert rows[0].values["failure"] == "It was not done after 0.01 s."
+    assert rows[0].values["failure"] == "It timed out: it was not done after 0.01 s."
 
 
 def row(model: str, method: str, seed: int = 1, **values: Any) -> Row:

@@ -152,3 +152,22 @@ def test_scripts_name_types_as_meshlab_saves_them(
     saved, ours = parameter_types(tmp_path / "saved.mlx"), parameter_types(EXAMPLES / name)
     assert ours
     assert {key: saved.get(key) for key in ours} == ours
+
+
+@pytest.mark.parametrize(
+    "name", ["Surface Reconstruction: Neural Mesh", "Neural Mesh Reconstruction"]
+)
+def test_a_script_may_call_the_reconstruction_by_both_names(
+    name: str, mesh_set: pymeshlab.MeshSet, tmp_path: Path
+) -> None:
+    script = f"<!DOCTYPE FilterScript>\n<FilterScript>\n <filter name='{name}'/>\n</FilterScript>\n"
+    (tmp_path / "script.mlx").write_text(script, encoding="utf-8")
+    mesh_set.create_sphere()
+    mesh_set.load_filter_script(str(tmp_path / "script.mlx"))
+    mesh_set.apply_filter_script()
+    assert mesh_set.current_mesh().label() == "Sphere neural mesh"
+    assert [found for found in pymeshlab.filter_list() if "neural_mesh" in found] == [
+        "create_neural_mesh_from_implicit_surface",
+        "create_neural_mesh_from_parametric_surface",
+        "generate_surface_reconstruction_neural_mesh",
+    ]

@@ -68,25 +68,25 @@ def test_snapshots_are_as_accurate_as_meshes_of_their_own(bunny_array: Points) -
 SNAPSHOT_CASES = [
     (
         "20,x",
-        "Snapshots must be vertex counts separated by commas, such as 20,100,1000: 'x' is none.",
+        "snapshots must be vertex counts separated by commas, such as 20,100,1000: 'x' is none.",
     ),
     (
         "20.5",
-        "Snapshots must be vertex counts separated by commas, such as 20,100,1000: '20.5' is none.",
+        "snapshots must be vertex counts separated by commas, such as 20,100,1000: '20.5' is none.",
     ),
     (
         "20,,30",
-        "Snapshots must be vertex counts separated by commas, such as 20,100,1000: '' is none.",
+        "snapshots must be vertex counts separated by commas, such as 20,100,1000: '' is none.",
     ),
     (
         "20,99999999999",
-        "Snapshots must be vertex counts separated by commas, such as 20,100,1000: "
+        "snapshots must be vertex counts separated by commas, such as 20,100,1000: "
         "'99999999999' is none.",
     ),
-    ("30,20,30", "Snapshots names 30 vertices twice."),
-    ("20,41", "Snapshots names 41 vertices, more than TargetVertNum, which is 40."),
-    ("3,20", "Snapshots names 3 vertices, fewer than the 4 vertices of the starting mesh."),
-    ("-5", "Snapshots names -5 vertices, fewer than the 4 vertices of the starting mesh."),
+    ("30,20,30", "snapshots names 30 vertices twice."),
+    ("20,41", "snapshots names 41 vertices, more than targetvertnum, which is 40."),
+    ("3,20", "snapshots names 3 vertices, fewer than the 4 vertices of the starting mesh."),
+    ("-5", "snapshots names -5 vertices, fewer than the 4 vertices of the starting mesh."),
 ]
 
 
@@ -98,7 +98,7 @@ def test_impossible_snapshots_are_refused(snapshots: str, sentence: str) -> None
 def test_a_run_that_fails_leaves_no_snapshots(bunny_points: pymeshlab.MeshSet) -> None:
     assert_refused(
         bunny_points,
-        "TargetVertNum is 30000, but there are only 28088 distinct points to draw from: at most "
+        "targetvertnum is 30000, but there are only 28088 distinct points to draw from: at most "
         "28088 vertices are possible.",
         targetvertnum=30000,
         snapshots="20,100",

@@ -53,7 +53,7 @@ def test_no_target_is_smaller_than_the_solid(solid: str, vertices: int) -> None:
     document = document_of(sphere_points(100))
     assert_refused(
         document,
-        f"TargetVertNum is {vertices - 1}, fewer than the {vertices} vertices of the starting "
+        f"targetvertnum is {vertices - 1}, fewer than the {vertices} vertices of the starting "
         "mesh.",
         targetvertnum=vertices - 1,
         startmesh=solid,
@@ -169,7 +169,7 @@ def test_snapshots_start_at_the_starting_layer() -> None:
     parameters = {"startmesh": A_LAYER, "startlayer": 1, "targetvertnum": 300}
     assert_refused(
         document,
-        "Snapshots names 95 vertices, fewer than the 96 vertices of the starting mesh.",
+        "snapshots names 95 vertices, fewer than the 96 vertices of the starting mesh.",
         snapshots="95,200",
         **parameters,
     )
@@ -212,7 +212,7 @@ def test_starting_layers_that_are_no_closed_two_manifold_are_refused() -> None:
 def test_a_starting_layer_with_more_vertices_than_the_target_is_refused() -> None:
     refused_start(
         torus_mesh(),
-        "TargetVertNum is 95, fewer than the 96 vertices of the starting mesh.",
+        "targetvertnum is 95, fewer than the 96 vertices of the starting mesh.",
         targetvertnum=95,
     )
 
@@ -220,7 +220,7 @@ def test_a_starting_layer_with_more_vertices_than_the_target_is_refused() -> Non
 def test_a_starting_layer_that_is_not_there_is_refused(mesh_set: pymeshlab.MeshSet) -> None:
     assert_refused(
         mesh_set,
-        "StartMesh is a layer, but StartLayer names none.",
+        "startmesh is a layer, but startlayer names none.",
         IMPLICIT,
         targetvertnum=100,
         startmesh=A_LAYER,
@@ -273,6 +273,6 @@ def test_holes_up_to_the_maximal_size_are_closed() -> None:
 def test_a_negative_hole_size_is_refused() -> None:
     assert_refused(
         document_of(sphere_points(1000)),
-        "MaxHoleSize must be at least 0, not -1.",
+        "maxholesize must be at least 0, not -1.",
         maxholesize=pymeshlab.PureValue(-1),
     )

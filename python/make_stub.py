@@ -16,12 +16,18 @@ import pymeshlab
 
 HEAD = '''"""Neural Mesh Reconstruction for PyMeshLab: the filters as methods of MeshSet."""
 
+from collections.abc import Sequence
+from os import PathLike
+
 import pymeshlab
 
 FILTERS: tuple[str, ...]
 
 class MeshSet(pymeshlab.MeshSet):
 '''
+# What the methods take besides the type of the default.
+WIDER = {"snapshots": "str | Sequence[int]", "pointfile": "str | PathLike[str]"}
+PERCENTAGE = "float | str | pymeshlab.PercentageValue | pymeshlab.PureValue"
 
 
 def main() -> int:
@@ -49,8 +55,9 @@ def documentation_module() -> ModuleType:
 def method_stub(filter_: object) -> str:
     """Return the lines of one method."""
     parameters = filter_.signature().parameters.values()
+    types = WIDER | {p.name: PERCENTAGE for p in filter_.parameters if p.percentage}
     listed = [
-        f"{p.name}: {p.annotation.__name__} = {p.default!r},"
+        f"{p.name}: {types.get(p.name, p.annotation.__name__)} = {p.default!r},"
         for p in parameters
         if p.name != "self"
     ]

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "hosts/common/error_sentences.h"
+#include "parameter_names.h"
 
 namespace {
 
@@ -12,23 +13,23 @@ using neuralmesh::Parameter;
 std::string filterParameter(Parameter parameter)
 {
     switch (parameter) {
-    case Parameter::targetVertexCount: return "TargetVertNum";
-    case Parameter::winnerRate: return "WinnerRate";
-    case Parameter::smoothingRate: return "SmoothingRate";
-    case Parameter::smoothingPasses: return "SmoothingPasses";
-    case Parameter::signalsPerSplit: return "SignalsPerSplit";
-    case Parameter::inactivityFactor: return "InactivityFactor";
-    case Parameter::threads: return "Threads";
-    case Parameter::counterDecay: return "CounterDecay";
-    case Parameter::snapshots: return "Snapshots";
-    case Parameter::maxHoleSize: return "MaxHoleSize";
+    case Parameter::targetVertexCount: return named("TargetVertNum");
+    case Parameter::winnerRate: return named("WinnerRate");
+    case Parameter::smoothingRate: return named("SmoothingRate");
+    case Parameter::smoothingPasses: return named("SmoothingPasses");
+    case Parameter::signalsPerSplit: return named("SignalsPerSplit");
+    case Parameter::inactivityFactor: return named("InactivityFactor");
+    case Parameter::threads: return named("Threads");
+    case Parameter::counterDecay: return named("CounterDecay");
+    case Parameter::snapshots: return named("Snapshots");
+    case Parameter::maxHoleSize: return named("MaxHoleSize");
     }
     return {};
 }
 
 std::string fieldOfRange(char variable, bool isUpper)
 {
-    return std::string(isUpper ? "max" : "min") + static_cast<char>(std::toupper(variable));
+    return named(std::string(isUpper ? "max" : "min") + static_cast<char>(std::toupper(variable)));
 }
 
 } // namespace
@@ -37,13 +38,12 @@ const neuralmesh::HostTerms &filterTerms()
 {
     static const neuralmesh::HostTerms terms{
         filterParameter,
-        "DensityFromQuality",
-        "PointFile",
+        named("DensityFromQuality"),
+        named("PointFile"),
         "starting layer",
         fieldOfRange,
-        "Set Topology to 'Learned from the data'",
-        "Topology learned from the data",
-        "Boundaries open",
+        chosen("Topology", 1, "Learned from the data"),
+        chosen("Boundaries", 1, "Open"),
         ": open it in MeshLab and export it with binary encoding.",
         ": open it in MeshLab and export it as PLY with binary encoding."};
     return terms;

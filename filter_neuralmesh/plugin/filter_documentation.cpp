@@ -15,6 +15,8 @@ QJsonObject describe(const RichParameter &parameter)
                             {"advanced", parameter.isAdvanced()}};
     if (const auto *choice = dynamic_cast<const RichEnum *>(&parameter))
         description["choices"] = QJsonArray::fromStringList(choice->enumvalues);
+    if (dynamic_cast<const RichPercentage *>(&parameter) != nullptr)
+        description["percentage"] = true;
     return description;
 }
 
@@ -26,6 +28,8 @@ QByteArray documentationOf(FilterNeuralMesh &plugin)
     QJsonArray filters;
     for (const QAction *action : plugin.actions()) {
         const auto id = plugin.ID(action);
+        if (id == FilterNeuralMesh::FromLayersByOldName)
+            continue;
         QJsonArray parameters;
         for (const RichParameter &parameter : plugin.initParameterList(action, empty))
             parameters.append(describe(parameter));

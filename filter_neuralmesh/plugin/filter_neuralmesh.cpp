@@ -10,10 +10,20 @@
 #include "host_progress.h"
 #include "hosts/common/progress_part.h"
 #include "layers.h"
+#include "origins.h"
+#include "parameter_names.h"
+
+namespace {
+
+/// The host refuses a filter without a class, and puts one into the menu of each class that it
+/// knows: of this one it knows none.
+constexpr auto inNoMenu = static_cast<FilterPlugin::FilterClass>(0x40000000);
+
+} // namespace
 
 FilterNeuralMesh::FilterNeuralMesh()
 {
-    typeList = {FromLayers, FromImplicitSurface, FromParametricSurface};
+    typeList = {FromLayers, FromImplicitSurface, FromParametricSurface, FromLayersByOldName};
     for (const ActionIDType id : typeList)
         actionList.push_back(new QAction(filterName(id), this));
 }
@@ -31,7 +41,8 @@ QString FilterNeuralMesh::vendor() const
 QString FilterNeuralMesh::filterName(ActionIDType filter) const
 {
     switch (filter) {
-    case FromLayers: return "Neural Mesh Reconstruction";
+    case FromLayers: return "Surface Reconstruction: Neural Mesh";
+    case FromLayersByOldName: return "Neural Mesh Reconstruction";
     case FromImplicitSurface: return "Neural Mesh from Implicit Surface";
     case FromParametricSurface: return "Neural Mesh from Parametric Surface";
     default: return QString();
@@ -41,7 +52,8 @@ QString FilterNeuralMesh::filterName(ActionIDType filter) const
 QString FilterNeuralMesh::pythonFilterName(ActionIDType filter) const
 {
     switch (filter) {
-    case FromLayers: return "generate_surface_reconstruction_neural_mesh";
+    case FromLayers:
+    case FromLayersByOldName: return "generate_surface_reconstruction_neural_mesh";
     case FromImplicitSurface: return "create_neural_mesh_from_implicit_surface";
     case FromParametricSurface: return "create_neural_mesh_from_parametric_surface";
     default: return QString();
@@ -51,7 +63,8 @@ QString FilterNeuralMesh::pythonFilterName(ActionIDType filter) const
 QString FilterNeuralMesh::filterInfo(ActionIDType filter) const
 {
     switch (filter) {
-    case FromLayers: return aboutReconstruction();
+    case FromLayers:
+    case FromLayersByOldName: return aboutReconstruction();
     case FromImplicitSurface: return aboutImplicitSurface();
     case FromParametricSurface: return aboutParametricSurface();
     default: return QString();
@@ -60,6 +73,8 @@ QString FilterNeuralMesh::filterInfo(ActionIDType filter) const
 
 FilterPlugin::FilterClass FilterNeuralMesh::getClass(const QAction *action) const
 {
+    if (ID(action) == FromLayersByOldName)
+        return inNoMenu;
     if (ID(action) == FromLayers)
         return static_cast<FilterClass>(FilterPlugin::Remeshing | FilterPlugin::PointSet);
     return FilterPlugin::MeshCreation;
@@ -79,7 +94,8 @@ RichParameterList FilterNeuralMesh::initParameterList(const QAction *action,
                                                       const MeshDocument &document)
 {
     switch (ID(action)) {
-    case FromLayers: return reconstructionParameters(document);
+    case FromLayers:
+    case FromLayersByOldName: return reconstructionParameters(document);
     case FromImplicitSurface: return implicitParameters(document);
     case FromParametricSurface: return parametricParameters(document);
     default: return {};
@@ -100,6 +116,7 @@ std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *act
     try {
         switch (ID(action)) {
         case FromLayers:
+        case FromLayersByOldName:
             return reconstruct(parameters, document, callback,
                                [&](const neuralmesh::Progress &opening) {
                                    return makeTargetSpace(parameters, document, opening);
@@ -119,7 +136,8 @@ std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *act
     } catch (const neuralmesh::Cancelled &) {
         throw MLException("Cancelled: the document is as it was.");
     } catch (const std::bad_alloc &) {
-        throw MLException("Too little memory for this input and TargetVertNum.");
+        throw MLException("Too little memory for this input and " +
+                          QString::fromStdString(named("TargetVertNum")) + ".");
     }
 }
 
@@ -138,6 +156,7 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
 
     neuralmesh::Reconstruction result;
     result.seed = growthParameters.seed;
+    result.diagonal = target.sampler->frame().diagonal();
     const neuralmesh::Progress growing = neuralmesh::part(progress, neuralmesh::shareOfOpening, 1);
     const auto keep = [&](neuralmesh::Mesh snapshot) {
         result.snapshots.push_back(std::move(snapshot));
@@ -164,12 +183,18 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
         attributes.push_back(attributesOf(snapshot));
     attributes.push_back(attributesOf(result.result.mesh));
 
+    const auto addResult = [&](const neuralmesh::Mesh &mesh, const QString &name,
+                               const Attributes &carried) {
+        MeshModel &layer = addLayer(document, mesh, name);
+        setAttributes(layer, carried);
+        remember(layer, target.origin);
+    };
     const QString label = target.name + " neural mesh";
     for (std::size_t i = 0; i < result.snapshots.size(); ++i) {
         const neuralmesh::Mesh &snapshot = result.snapshots[i];
         const QString count = QString::number(snapshot.positions.size());
-        setAttributes(addLayer(document, snapshot, label + " " + count), attributes[i]);
+        addResult(snapshot, label + " " + count, attributes[i]);
     }
-    setAttributes(addLayer(document, result.result.mesh, label), attributes.back());
+    addResult(result.result.mesh, label, attributes.back());
     return resultValues(result);
 }

@@ -14,7 +14,8 @@ class FilterNeuralMesh : public QObject, public FilterPlugin {
     Q_INTERFACES(FilterPlugin)
 
 public:
-    enum FilterId { FromLayers, FromImplicitSurface, FromParametricSurface };
+    /// The last one is the first by the name that it had up to 0.1.0, for scripts: no menu has it.
+    enum FilterId { FromLayers, FromImplicitSurface, FromParametricSurface, FromLayersByOldName };
 
     FilterNeuralMesh();
 

@@ -7,6 +7,8 @@
 
 #include "host_versions.h"
 #include "neuralmesh/errors.h"
+#include "origins.h"
+#include "parameter_names.h"
 #include "target_space.h"
 
 namespace {
@@ -17,7 +19,8 @@ std::uint64_t readSeed(const RichParameterList &parameters)
 {
     const int seed = parameters.getInt("RandomSeed");
     if (seed < 0)
-        throw neuralmesh::InvalidInput("RandomSeed must be 0 (a fresh seed) or positive, not " +
+        throw neuralmesh::InvalidInput(named("RandomSeed") +
+                                       " must be 0 (a fresh seed) or positive, not " +
                                        std::to_string(seed) + ".");
     if (seed > 0)
         return static_cast<std::uint64_t>(seed);
@@ -78,7 +81,7 @@ int sensibleTarget(const MeshDocument &document)
 {
     constexpr int verticesOfHostsCube = 8;
     const int general = neuralmesh::GrowthParameters().targetVertexCount;
-    const MeshModel *layer = document.mm();
+    const MeshModel *layer = inputLayer(document, Source::pointsOfLayer);
     if (layer == nullptr || layer->cm.vn <= verticesOfHostsCube)
         return general;
     return std::min(general, layer->cm.vn / 2);
@@ -102,8 +105,8 @@ void addCommonParameters(RichParameterList &list)
                              "the surface fit like the result; without it they are the growing "
                              "network as it is."));
     list.addParam(RichBool("SurfaceFit", d.surfaceFit, "Surface fit",
-                           "Closes with a fit of the faces to the points: several times more "
-                           "accurate, for a fifth more time."));
+                           "At the end, moves the vertices so that the faces fit the points: "
+                           "several times more accurate, for a fifth more time."));
     list.addParam(RichInt("RandomSeed", static_cast<int>(d.seed), "Random seed",
                           "The same seed gives the same mesh. 0 takes a fresh seed and reports "
                           "it."));
@@ -160,7 +163,8 @@ std::vector<int> readSnapshots(const RichParameterList &parameters)
         counts.push_back(entry.trimmed().toInt(&isCount));
         if (!isCount)
             throw neuralmesh::InvalidInput(
-                "Snapshots must be vertex counts separated by commas, such as 20,100,1000: '" +
+                named("Snapshots") +
+                " must be vertex counts separated by commas, such as 20,100,1000: '" +
                 entry.trimmed().toStdString() + "' is none.");
     }
     std::sort(counts.begin(), counts.end());

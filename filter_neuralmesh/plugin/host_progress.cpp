@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host_progress.h"
 
+#include <algorithm>
 #include <chrono>
 
 neuralmesh::Progress throttledProgress(vcg::CallBackPos *callback)
@@ -10,11 +11,14 @@ neuralmesh::Progress throttledProgress(vcg::CallBackPos *callback)
     using Clock = std::chrono::steady_clock;
     static constexpr auto interval = std::chrono::milliseconds(100);
     auto last = Clock::now() - interval;
-    return [callback, last](double fraction, const char *activity) mutable {
+    // What a phase does not know beforehand it may overestimate; a bar that runs back tells
+    // nothing.
+    return [callback, last, furthest = 0](double fraction, const char *activity) mutable {
         const auto now = Clock::now();
         if (now - last < interval)
             return true;
         last = now;
-        return callback(static_cast<int>(100 * fraction), activity);
+        furthest = std::max(furthest, static_cast<int>(100 * fraction));
+        return callback(furthest, activity);
     };
 }

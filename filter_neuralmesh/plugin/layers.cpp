@@ -2,6 +2,7 @@
 #include "layers.h"
 
 #include "neuralmesh/errors.h"
+#include "parameter_names.h"
 
 namespace {
 
@@ -27,7 +28,8 @@ const MeshModel &startLayer(const MeshDocument &document, unsigned int id)
 {
     const MeshModel *layer = document.getMesh(id);
     if (layer == nullptr)
-        throw neuralmesh::InvalidInput("StartMesh is a layer, but StartLayer names none.");
+        throw neuralmesh::InvalidInput(named("StartMesh") + " is a layer, but " +
+                                       named("StartLayer") + " names none.");
     return *layer;
 }
 
@@ -68,7 +70,8 @@ neuralmesh::Mesh worldMesh(const MeshModel &layer)
 std::vector<double> vertexQualities(const MeshModel &layer)
 {
     if (!layer.hasDataMask(MeshModel::MM_VERTQUALITY))
-        throw neuralmesh::InvalidInput("DensityFromQuality: layer '" + layer.label().toStdString() +
+        throw neuralmesh::InvalidInput(named("DensityFromQuality") + ": layer '" +
+                                       layer.label().toStdString() +
                                        "' has no vertex quality. Compute one first.");
     std::vector<double> qualities;
     qualities.reserve(static_cast<std::size_t>(layer.cm.vn));

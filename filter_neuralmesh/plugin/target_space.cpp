@@ -5,6 +5,8 @@
 #include "layers.h"
 #include "neuralmesh/errors.h"
 #include "neuralmesh/samplers.h"
+#include "origins.h"
+#include "parameter_names.h"
 
 namespace {
 
@@ -30,7 +32,7 @@ public:
     {
         auto sampler = neuralmesh::pointCloudSampler(points_, qualities_);
         const std::string remark = neuralmesh::outlierRemark(sampler->outlierShare());
-        return {std::move(sampler), name, remark, {layers_, false}};
+        return {std::move(sampler), name, remark, {layers_, false}, {}};
     }
 
 private:
@@ -46,18 +48,31 @@ TargetSpace pointsOfLayer(const MeshModel &layer, bool withDensity)
         throw InvalidInput("The current layer has no vertices.");
     PointCollection points(withDensity);
     points.add(layer);
-    return points.targetSpace(nameOf(layer));
+    TargetSpace target = points.targetSpace(nameOf(layer));
+    target.origin = {Source::pointsOfLayer, static_cast<unsigned int>(layer.id())};
+    return target;
 }
 
 TargetSpace surfaceOfLayer(const MeshModel &layer, bool withDensity)
 {
     if (layer.cm.fn == 0)
-        throw InvalidInput("The current layer has no faces, so it has no surface to sample: choose "
-                           "its points as the Source.");
+        throw InvalidInput(
+            "The current layer has no faces, so it has no surface to sample: choose " +
+            chosen("Source", 0, sourceLabels()[0].toStdString()) + ".");
     const std::vector<double> density =
         withDensity ? vertexQualities(layer) : std::vector<double>();
-    return {
-        neuralmesh::surfaceSampler(worldMesh(layer), density), nameOf(layer), {}, {{&layer}, true}};
+    return {neuralmesh::surfaceSampler(worldMesh(layer), density),
+            nameOf(layer),
+            {},
+            {{&layer}, true},
+            {Source::surfaceOfLayer, static_cast<unsigned int>(layer.id())}};
+}
+
+/// Whether a layer is what an earlier run made of the others: it adds nothing to their points.
+bool isResultOfVisibleLayers(const MeshModel &layer)
+{
+    const std::optional<Origin> origin = originOf(layer);
+    return origin && origin->source == Source::pointsOfVisibleLayers;
 }
 
 TargetSpace pointsOfVisibleLayers(const MeshDocument &document, bool withDensity)
@@ -65,14 +80,16 @@ TargetSpace pointsOfVisibleLayers(const MeshDocument &document, bool withDensity
     PointCollection points(withDensity);
     bool hasAny = false;
     for (const MeshModel &layer : document.meshIterator()) {
-        if (!layer.isVisible() || layer.cm.vn == 0)
+        if (!layer.isVisible() || layer.cm.vn == 0 || isResultOfVisibleLayers(layer))
             continue;
         points.add(layer);
         hasAny = true;
     }
     if (!hasAny)
         throw InvalidInput("No visible layer has vertices.");
-    return points.targetSpace("visible layers");
+    TargetSpace target = points.targetSpace("visible layers");
+    target.origin = {Source::pointsOfVisibleLayers, 0};
+    return target;
 }
 
 neuralmesh::Formula formula(const RichParameterList &parameters, const char *name)
@@ -80,20 +97,53 @@ neuralmesh::Formula formula(const RichParameterList &parameters, const char *nam
     return {name, parameters.getString(name).toStdString()};
 }
 
+/// The path as the system has it. Where the locale lacks a letter, as C does, names are UTF-8.
+std::string systemName(const QString &path)
+{
+    const QByteArray encoded = QFile::encodeName(path);
+    const bool isInLocale = QFile::decodeName(encoded) == path;
+    return (isInLocale ? encoded : path.toUtf8()).toStdString();
+}
+
 TargetSpace pointFile(const QString &path, bool withDensity, const neuralmesh::Progress &progress)
 {
     if (path.isEmpty())
-        throw InvalidInput("Source is a point file, but PointFile names none.");
+        throw InvalidInput(named("Source") + " is a point file, but " + named("PointFile") +
+                           " names none.");
     if (withDensity)
-        throw InvalidInput("DensityFromQuality is for layers: a point file has no vertex quality.");
-    const std::string encoded = QFile::encodeName(path).toStdString();
-    auto sampler = neuralmesh::pointFileSampler(encoded, progress);
+        throw InvalidInput(named("DensityFromQuality") +
+                           " is for layers: a point file has no vertex quality.");
+    auto sampler = neuralmesh::pointFileSampler(systemName(path), progress);
     const std::string remark = neuralmesh::outlierRemark(sampler->outlierShare());
     const QString name = QFileInfo(path).completeBaseName();
     return {std::move(sampler),
             withoutDots(name.isEmpty() ? QFileInfo(path).fileName() : name),
             remark,
-            {}};
+            {},
+            {Source::pointFile, 0}};
+}
+
+/// The layer that is sampled. Throws InvalidInput where the document has none.
+const MeshModel &layerFor(const MeshDocument &document, Source source)
+{
+    const MeshModel *layer = inputLayer(document, source);
+    return layer == nullptr ? currentLayer(document) : *layer;
+}
+
+TargetSpace targetSpaceOf(Source source, const RichParameterList &parameters,
+                          const MeshDocument &document, const neuralmesh::Progress &progress)
+{
+    const bool withDensity = parameters.getBool("DensityFromQuality");
+    switch (source) {
+    case Source::pointsOfLayer: return pointsOfLayer(layerFor(document, source), withDensity);
+    case Source::surfaceOfLayer: return surfaceOfLayer(layerFor(document, source), withDensity);
+    case Source::pointsOfVisibleLayers: return pointsOfVisibleLayers(document, withDensity);
+    case Source::pointFile:
+        return pointFile(parameters.getOpenFileName("PointFile"), withDensity, progress);
+    case Source::none: break;
+    }
+    throw InvalidInput(named("Source") + " must be one of 0 to " +
+                       std::to_string(sourceLabels().size() - 1) + ".");
 }
 
 } // namespace
@@ -107,16 +157,17 @@ QStringList sourceLabels()
 TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocument &document,
                             const neuralmesh::Progress &progress)
 {
-    const bool withDensity = parameters.getBool("DensityFromQuality");
-    switch (static_cast<Source>(parameters.getEnum("Source"))) {
-    case Source::pointsOfLayer: return pointsOfLayer(currentLayer(document), withDensity);
-    case Source::surfaceOfLayer: return surfaceOfLayer(currentLayer(document), withDensity);
-    case Source::pointsOfVisibleLayers: return pointsOfVisibleLayers(document, withDensity);
-    case Source::pointFile:
-        return pointFile(parameters.getOpenFileName("PointFile"), withDensity, progress);
-    }
-    throw InvalidInput("Source must be one of 0 to " + std::to_string(sourceLabels().size() - 1) +
-                       ".");
+    const auto source = static_cast<Source>(parameters.getEnum("Source"));
+    if (source != Source::pointFile && !parameters.getOpenFileName("PointFile").isEmpty())
+        throw InvalidInput(named("PointFile") + " names a file that would not be read: choose " +
+                           chosen("Source", static_cast<int>(Source::pointFile),
+                                  sourceLabels().back().toStdString()) +
+                           ", or leave " + named("PointFile") + " empty.");
+    TargetSpace target = targetSpaceOf(source, parameters, document, progress);
+    if (source == Source::pointsOfLayer || source == Source::surfaceOfLayer)
+        target.remark =
+            remarkOnOrigin(document, source) + (target.remark.empty() ? "" : " ") + target.remark;
+    return target;
 }
 
 TargetSpace makeImplicitSurface(const RichParameterList &parameters)
@@ -126,6 +177,7 @@ TargetSpace makeImplicitSurface(const RichParameterList &parameters)
         {parameters.getFloat("maxX"), parameters.getFloat("maxY"), parameters.getFloat("maxZ")}};
     return {neuralmesh::implicitSurfaceSampler(formula(parameters, "expr"), box),
             "implicit surface",
+            {},
             {},
             {}};
 }
@@ -138,6 +190,7 @@ TargetSpace makeParametricSurface(const RichParameterList &parameters)
         neuralmesh::parametricSurfaceSampler(
             {formula(parameters, "x"), formula(parameters, "y"), formula(parameters, "z")}, u, v),
         "parametric surface",
+        {},
         {},
         {}};
 }

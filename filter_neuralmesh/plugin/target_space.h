@@ -11,19 +11,26 @@
 #include "neuralmesh/progress.h"
 #include "neuralmesh/sampler.h"
 
+/// Values of the parameter Source, in the order of its labels; none of the other filters.
+enum class Source { pointsOfLayer, surfaceOfLayer, pointsOfVisibleLayers, pointFile, none };
+
+/// What a result was made of: the layer's id where it was one layer.
+struct Origin {
+    Source source = Source::none;
+    unsigned int layer = 0;
+};
+
 /// What the network learns.
 struct TargetSpace {
     std::unique_ptr<neuralmesh::Sampler> sampler;
     /// Of what is sampled, without dots: the result is called "NAME neural mesh".
     QString name;
-    /// A line for the log; empty where there is nothing to remark.
+    /// For the log, sentences; empty where there is nothing to remark.
     std::string remark;
     /// Whose attributes the result may take; no layers where there are none.
     AttributeSource attributes;
+    Origin origin = {};
 };
-
-/// Values of the parameter Source, in the order of its labels.
-enum class Source { pointsOfLayer, surfaceOfLayer, pointsOfVisibleLayers, pointFile };
 
 /// What Source offers in dialogs and scripts.
 QStringList sourceLabels();

@@ -7,6 +7,10 @@
     ms.load_new_mesh("cloud.ply")
     result = ms.generate_surface_reconstruction_neural_mesh(targetvertnum=2000)
 
+Counts may be whole floats, `snapshots` a list, `pointfile` a `Path`, which implies `source=3`;
+`maxholesize` is a length or a text such as "5%". A name that a filter does not have is a TypeError
+that says which one was likely meant.
+
 `MeshSet` is PyMeshLab's own class; here type checkers know the methods that are added to it.
 `FILTERS` are the names of these. Importing raises ImportError if the PyMeshLab that is installed
 is not the version that the plugin was built for.

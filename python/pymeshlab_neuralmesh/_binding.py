@@ -34,15 +34,17 @@ require_version()
 # PyMeshLab comes second: a wrong version is to be named, not to fail in some way of its own.
 from pymeshlab import MeshSet, filter_list, load_plugin  # noqa: E402
 
+from ._arguments import arguments_of  # noqa: E402
 from ._documentation import FilterDocumentation, documentation  # noqa: E402
 
 
 def bind(filter_: FilterDocumentation) -> None:
     """Make a filter a method of MeshSet."""
     name = filter_.name
+    defaults = filter_.defaults()
 
-    def method(self: MeshSet, **parameters: object) -> dict[str, object]:
-        return self.apply_filter(name, **parameters)
+    def method(self: MeshSet, **given: object) -> dict[str, object]:
+        return self.apply_filter(name, **arguments_of(name, given, filter_.parameters, defaults))
 
     method.__name__ = name
     method.__qualname__ = f"MeshSet.{name}"

@@ -36,6 +36,7 @@ class ParameterDocumentation:
     title: str
     help: str
     advanced: bool
+    percentage: bool = False
     choices: tuple[str, ...] = ()
 
     def text(self) -> str:

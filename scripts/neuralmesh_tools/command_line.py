@@ -4,8 +4,12 @@
 from __future__ import annotations
 
 import argparse
+import math
+import sys
 from collections.abc import Collection, Iterable
 from pathlib import Path
+
+from rich.console import Console
 
 from neuralmesh_tools.project import PLUGIN
 
@@ -22,6 +26,32 @@ def add_plugin(parser: argparse._ActionsContainer) -> None:
     parser.add_argument(
         "--plugin", type=Path, default=PLUGIN, metavar="FILE", help="the built plugin"
     )
+
+
+def console() -> Console:
+    """A console that prints names as they are: `[/]` is no markup in them, `:x:` no picture."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):  # not where a test has put another stream
+            stream.reconfigure(errors="backslashreplace")
+    return Console(markup=False, emoji=False, highlight=False)
+
+
+def positive(text: str) -> float:
+    """The type of an option that is a positive, finite number."""
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not (0 < number < math.inf):
+        raise argparse.ArgumentTypeError(f"must be a positive number, not {text!r}")
+    return number
+
+
+def folder(text: str) -> Path:
+    """The type of an option that names a folder, which need not be there yet."""
+    if not text.strip():
+        raise argparse.ArgumentTypeError("is empty: it names no folder. Is a variable not set?")
+    return Path(text)
 
 
 def names(

@@ -11,6 +11,7 @@ children.
 from __future__ import annotations
 
 import ctypes
+import locale
 import os
 import pkgutil
 import signal
@@ -29,6 +30,8 @@ import psutil
 WATCH_INTERVAL = 0.02
 # Seconds that a busy machine may take to start Python and to import what the call needs.
 START_TIMEOUT = 120.0
+# A call that waits instead of computing is given up after so many times its limit, by the clock.
+WAITING_FACTOR = 10.0
 PR_SET_PDEATHSIG = 1
 
 
@@ -84,6 +87,7 @@ class IsolatedProcess:
         function: Callable[..., Any] | str,
         *arguments: Any,
         timeout: float = float("inf"),
+        cpu_timeout: float = float("inf"),
         memory_limit: int = 0,
         log: Path | None = None,
         folder: Path | None = None,
@@ -91,7 +95,9 @@ class IsolatedProcess:
         """Call a module's function with arguments that can be pickled.
 
         A function that is named, as "package.module:function", is imported in the process only.
-        timeout in seconds, once imports are done; memory_limit in bytes of resident size, 0 for
+        timeout in seconds of the wall clock, once imports are done; cpu_timeout in seconds that it
+        computes, all threads together, which a busy machine does not change (and ten times as many
+        of the wall clock, for a call that hangs); memory_limit in bytes of resident size, 0 for
         none, looked at every 20 ms. What the call prints, C++ included, goes to the end of log,
         else nowhere. folder becomes the working directory.
         """
@@ -105,7 +111,8 @@ class IsolatedProcess:
         else:
             return Outcome("crashed", None, "The process could not be started.", 0.0, 0)
         self._calls += 1
-        outcome = self._await(process, pipe, timeout, memory_limit)
+        timeout = min(timeout, WAITING_FACTOR * cpu_timeout)
+        outcome = self._await(process, pipe, timeout, cpu_timeout, memory_limit)
         if not outcome.ok or self._calls >= self._recycle_after:
             self.close()
         return outcome
@@ -125,7 +132,7 @@ class IsolatedProcess:
             self._process = subprocess.Popen(
                 # -P: the modules beside this one are no top-level modules.
                 [sys.executable, "-P", str(Path(__file__).resolve()), str(theirs.fileno())],
-                env={**os.environ, **self._environment},
+                env={**os.environ, **_readable_names(), **self._environment},
                 pass_fds=[theirs.fileno()],
                 stdin=subprocess.DEVNULL,
                 start_new_session=True,  # Ctrl-C in the terminal is the parent's to handle
@@ -140,9 +147,11 @@ class IsolatedProcess:
         process: subprocess.Popen[bytes],
         pipe: Connection,
         timeout: float,
+        cpu_timeout: float,
         memory_limit: int,
     ) -> Outcome:
         start, allowed, peak = time.perf_counter(), START_TIMEOUT, 0
+        cpu_allowed, cpu_before = float("inf"), 0.0
         watched = psutil.Process(process.pid)
         while True:
             seconds = time.perf_counter() - start
@@ -153,16 +162,36 @@ class IsolatedProcess:
                         return Outcome(*message)
                     # It has its imports and begins: the clock of the call starts here.
                     start, allowed = time.perf_counter(), timeout
+                    cpu_allowed, cpu_before = cpu_timeout, _computed(watched)
                     continue
                 peak = max(peak, watched.memory_info().rss)
+                computed = _computed(watched) - cpu_before
             except (EOFError, ConnectionError, psutil.NoSuchProcess):
                 return Outcome("crashed", None, _how_it_ended(process), seconds, peak)
             if memory_limit and peak > memory_limit:
                 failure = f"It needed more than the {memory_limit / 2**20:.0f} MB allowed."
                 return Outcome("out of memory", None, failure, seconds, peak)
-            if seconds >= allowed:
-                failure = f"It was not done after {allowed:g} s."
+            if computed >= cpu_allowed:
+                failure = f"It timed out: it was not done after computing for {cpu_allowed:g} s."
                 return Outcome("timed out", None, failure, seconds, peak)
+            if seconds >= allowed:
+                failure = f"It timed out: it was not done after {allowed:g} s."
+                return Outcome("timed out", None, failure, seconds, peak)
+
+
+def _computed(process: psutil.Process) -> float:
+    """The seconds that a process has computed, all its threads together."""
+    times = process.cpu_times()
+    return float(times.user + times.system)
+
+
+def _readable_names() -> dict[str, str]:
+    """What the environment lacks for PyMeshLab to read names of files as UTF-8.
+
+    Under LC_ALL=C it takes each letter that is not ASCII for a question mark.
+    """
+    encoding = locale.getencoding().lower().replace("-", "")
+    return {} if encoding == "utf8" else {"LC_ALL": "C.UTF-8"}
 
 
 def _how_it_ended(process: subprocess.Popen[bytes]) -> str:
@@ -205,8 +234,8 @@ def _serve(pipe: Connection) -> None:
 
 
 def _print_into(path: str) -> None:
-    """Send both standard streams, those of C++ too, to the end of a file."""
-    file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
+    """Send both standard streams, those of C++ too, to the end of a file, which is no link."""
+    file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_NOFOLLOW, 0o644)
     for stream in (1, 2):
         os.dup2(file, stream)
     os.close(file)

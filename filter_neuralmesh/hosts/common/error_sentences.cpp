@@ -64,8 +64,8 @@ std::string sentenceFor(const InvalidInput &error, const HostTerms &terms)
         return start->sentence("The " + terms.startingMesh);
     if (const auto *flat = dynamic_cast<const FlatTarget *>(&error);
         flat != nullptr && !flat->wasSought())
-        return "All points lie on a plane: a closed surface cannot be fitted to them. " +
-               terms.setLearnedTopology + ", which makes a sheet of them.";
+        return "All points lie on a plane: a closed surface cannot be fitted to them. Use " +
+               terms.learnedTopology + ", which makes a sheet of them.";
     if (const auto *density = dynamic_cast<const InvalidDensity *>(&error))
         return aboutDensity(*density, terms);
     if (const auto *range = dynamic_cast<const EmptyRange *>(&error))

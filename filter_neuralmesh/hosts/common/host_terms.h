@@ -20,9 +20,8 @@ struct HostTerms {
     std::string startingMesh;
     /// One end of a coordinate's or a parameter's range ('x', 'u'), such as "minX".
     std::function<std::string(char variable, bool isUpper)> rangeEnd;
-    /// "Set Topology to 'Learned from the data'", and the same as something to try.
-    std::string setLearnedTopology, learnedTopology;
-    std::string openBoundaries;
+    /// Values of parameters as their users give them, such as "Topology 'Learned from the data'".
+    std::string learnedTopology, openBoundaries;
     /// How a file that cannot be read in place is converted; each starts with a colon or a dot.
     std::string convertTextPly, convertE57;
 };

@@ -18,9 +18,18 @@ std::string percent(double share)
     return text;
 }
 
+/// A count as people write it: 10,100.
+template <class Integer> std::string grouped(Integer count)
+{
+    std::string text = std::to_string(count);
+    for (std::size_t end = text.size(); end > 3; end -= 3)
+        text.insert(end - 3, ",");
+    return text;
+}
+
 std::string counted(int count, const std::string &singular, const std::string &plural)
 {
-    return std::to_string(count) + " " + (count == 1 ? singular : plural);
+    return grouped(count) + " " + (count == 1 ? singular : plural);
 }
 
 /// What was opened, joined and filled; nothing where nothing was.
@@ -51,8 +60,9 @@ std::string topology(const Report &report, const HostTerms &terms)
     case LearnedShape::found:
         text += report.changes.isShapeClear
                     ? " It was learned from the data."
-                    : " It was learned from the data, which leave it open: handles or parts may be "
-                      "missing, or too many. More points may help, or less noise.";
+                    : " It was learned from the data. Warning: the points leave the shape open: "
+                      "handles or parts may be missing, or too many. More points may help, or less "
+                      "noise.";
         break;
     case LearnedShape::notFound:
         text += " Warning: it is that of the starting mesh, since the points tell no shape that "
@@ -81,7 +91,7 @@ std::string warnings(const Report &report, const HostTerms &terms)
                              terms.parameter(Parameter::maxHoleSize) + "."
                        : terms.learnedTopology + ".");
     if (report.selfIntersections > 0)
-        text += " " + std::to_string(report.selfIntersections) +
+        text += " Warning: " + grouped(report.selfIntersections) +
                 " faces intersect another. Where walls are closer to each other than the vertices, "
                 "a higher " +
                 target + " parts them.";
@@ -93,15 +103,16 @@ std::string warnings(const Report &report, const HostTerms &terms)
 std::string summary(const Reconstruction &reconstruction, const HostTerms &terms)
 {
     const Report &report = reconstruction.result.report;
-    char figures[256];
-    std::snprintf(figures, sizeof figures,
-                  "Neural mesh: %d vertices, %d faces, RMS error %.3g; %.3g signals, %.0f splits, "
-                  "%.0f collapses, seed %.0f, %.2f s.",
-                  report.vertices, report.faces, report.rmsError,
-                  static_cast<double>(report.signalCount), static_cast<double>(report.splitCount),
-                  static_cast<double>(report.collapseCount),
-                  static_cast<double>(reconstruction.seed), reconstruction.seconds);
-    std::string text = figures;
+    char error[64];
+    std::snprintf(error, sizeof error, "%.3g (%.2g %% of the diagonal)", report.rmsError,
+                  100 * report.rmsError / reconstruction.diagonal);
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.2f s", reconstruction.seconds);
+    std::string text = "Neural mesh: " + grouped(report.vertices) + " vertices, " +
+                       grouped(report.faces) + " faces, RMS error " + error + "; " +
+                       grouped(report.signalCount) + " signals, " + grouped(report.splitCount) +
+                       " splits, " + grouped(report.collapseCount) + " collapses, seed " +
+                       std::to_string(reconstruction.seed) + ", " + seconds + ".";
     if (report.keptIdle)
         text += " To reach " + terms.parameter(Parameter::targetVertexCount) +
                 ", vertices were kept that are nearest to no sample. Either the target is close to "

@@ -15,6 +15,7 @@ struct Reconstruction {
     Result result;
     std::vector<Mesh> snapshots; ///< by vertex count, ascending
     std::uint64_t seed = 0;
+    double diagonal = 1; ///< of the input's bounding box
     double seconds = 0;
 };
 

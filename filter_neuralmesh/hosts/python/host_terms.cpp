@@ -13,6 +13,7 @@ const char *keyOf(Parameter parameter)
     case Parameter::smoothingPasses: return "smoothing_passes";
     case Parameter::signalsPerSplit: return "signals_per_split";
     case Parameter::inactivityFactor: return "inactivity_factor";
+    case Parameter::threads: return "threads";
     case Parameter::counterDecay: return "counter_decay";
     case Parameter::snapshots: return "snapshots";
     case Parameter::maxHoleSize: return "max_hole_size";
@@ -47,7 +48,6 @@ HostTerms hostTerms(const TypedNames &names)
             "File",
             "starting mesh",
             rangeEnd,
-            "Set " + value("topology", "1"),
             value("topology", "1"),
             value("boundaries", "1"),
             ": save it as binary PLY.",

@@ -64,6 +64,7 @@ struct Run {
         const auto begin = std::chrono::steady_clock::now();
         Reconstruction made;
         made.seed = parameters.seed;
+        made.diagonal = sampler->frame().diagonal();
         const auto keep = [&](Mesh snapshot) { made.snapshots.push_back(std::move(snapshot)); };
         made.result = start ? reconstructFrom(*start, *sampler, parameters, progress, keep)
                             : reconstruct(*sampler, parameters, progress, keep);
@@ -162,6 +163,7 @@ void defineReconstruction(nb::module_ &module)
         .def_rw("smoothing_passes", &GrowthParameters::smoothingPasses)
         .def_rw("signals_per_split", &GrowthParameters::signalsPerSplit)
         .def_rw("inactivity_factor", &GrowthParameters::inactivityFactor)
+        .def_rw("threads", &GrowthParameters::threads)
         .def_rw("counter_decay", &GrowthParameters::counterDecay)
         .def_rw("split_rule", &GrowthParameters::splitRule)
         .def_rw("edge_flips", &GrowthParameters::edgeFlips)

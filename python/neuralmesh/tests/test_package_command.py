@@ -71,7 +71,7 @@ def test_every_parameter_has_an_option(ball_file: Path, ball: Points) -> None:
     given = (
         "-n 100 --topology start --start-mesh icosahedron --split-rule paper --edge-flips no "
         "--transfer-attributes no --winner-rate 0.07 --smoothing-rate 0.04 --smoothing-passes 4 "
-        "--signals-per-split 50 --inactivity-factor 20 --counter-decay 0.99 --no-surface-fit "
+        "--signals-per-split 50 --inactivity-factor 20 --threads 2 --counter-decay 0.99 --no-surface-fit "
         "--boundaries closed --max-hole-size 5% -q"
     )
     assert main([str(ball_file), "-o", str(out), *given.split()]) == 0
@@ -88,6 +88,7 @@ def test_every_parameter_has_an_option(ball_file: Path, ball: Points) -> None:
         smoothing_passes=4,
         signals_per_split=50,
         inactivity_factor=20,
+        threads=2,
         counter_decay=0.99,
         surface_fit=False,
         max_hole_size="5 %",

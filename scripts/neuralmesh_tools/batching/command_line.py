@@ -8,15 +8,13 @@ import os
 import sys
 from pathlib import Path
 
-from rich.console import Console
-
 from neuralmesh_tools.batching import preflight
 from neuralmesh_tools.batching.folder import Locked
 from neuralmesh_tools.batching.inputs import InputError, find_items
 from neuralmesh_tools.batching.recipe import Recipe, RecipeError, parse_settings
 from neuralmesh_tools.batching.run import INTERRUPTED, Settings, run_batch
-from neuralmesh_tools.command_line import parser_of
-from neuralmesh_tools.files import sha256_of
+from neuralmesh_tools.command_line import console, folder, parser_of, positive
+from neuralmesh_tools.files import sha256_of, shown
 from neuralmesh_tools.isolation import IsolatedProcess
 from neuralmesh_tools.machine import version_of
 from neuralmesh_tools.project import PLUGIN, RECONSTRUCT, PluginMissing, require_plugin
@@ -30,7 +28,7 @@ def batch_parser(description: str | None) -> argparse.ArgumentParser:
     parser.add_argument("inputs", nargs="*", metavar="IN", help="file, folder or quoted glob")
     text = "a text file with one IN a line"
     parser.add_argument("--list", type=Path, action="append", default=[], metavar="FILE", help=text)
-    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="output folder")
+    parser.add_argument("--out", type=folder, required=True, metavar="DIR", help="output folder")
     text = "of the outputs: ply, obj, stl, off, ... (default ply)"
     parser.add_argument("--format", default="ply", metavar="ENDING", help=text)
 
@@ -48,8 +46,8 @@ def batch_parser(description: str | None) -> argparse.ArgumentParser:
     how.add_argument("--threads", type=int, default=1, help="an item may use (default 1)")
     text = "a Dask scheduler to use instead, such as tcp://HOST:8786"
     how.add_argument("--scheduler", default="", metavar="ADDRESS", help=text)
-    text = "an item is given up after that (default 3600)"
-    how.add_argument("--timeout", type=float, default=3600, metavar="SECONDS", help=text)
+    text = "an item is given up that has computed longer, on each of its threads (default 3600)"
+    how.add_argument("--timeout", type=positive, default=3600, metavar="SECONDS", help=text)
     text = (
         "an item that grows beyond is given up: resident memory of its process, PyMeshLab "
         "included, looked at 50 times a second (default: no limit)"
@@ -65,13 +63,11 @@ def check_numbers(parser: argparse.ArgumentParser, options: argparse.Namespace) 
     for name in ("workers", "threads", "recycle"):
         if getattr(options, name) < 1:
             parser.error(f"--{name} must be at least 1")
-    if options.timeout <= 0:
-        parser.error("--timeout must be positive")
     if options.memory < 0:
         parser.error("--memory must not be negative")
     if options.mlx and (options.set or options.vertices is not None):
         parser.error("--mlx holds its own parameters: --set and --vertices do not go with it")
-    if options.out.exists() and not options.out.is_dir():
+    if os.path.lexists(options.out) and not options.out.is_dir():
         parser.error(f"{options.out} is not a folder")
 
 
@@ -112,14 +108,14 @@ def main(description: str | None) -> int:
         options.recycle,
     )
     try:
-        items = find_items(options.inputs, options.list, options.out)
-        return run_batch(items, recipe_of(options), settings, Console())
+        inputs = find_items(options.inputs, options.list, options.out)
+        return run_batch(inputs, recipe_of(options), settings, console())
     except KeyboardInterrupt:
         print("stopped before anything was run", file=sys.stderr)
         return INTERRUPTED
     except (InputError, RecipeError, PluginMissing, Locked) as problem:
-        print(problem, file=sys.stderr)
+        print(*map(shown, str(problem).splitlines()), sep="\n", file=sys.stderr)
     except OSError as problem:
         reason = f"{options.scheduler or options.out}: {problem}"
-        print(" ".join(reason.split()), file=sys.stderr)
+        print(shown(" ".join(reason.split())), file=sys.stderr)
     return USAGE

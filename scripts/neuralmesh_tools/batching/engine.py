@@ -14,9 +14,8 @@ import cloudpickle
 import dask
 from distributed import Client, Future, LocalCluster, Worker, WorkerPlugin, as_completed
 
-from neuralmesh_tools.batching.folder import OutFolder, Record
-from neuralmesh_tools.batching.work import Job, do_job, kept_record, record_of
-from neuralmesh_tools.isolation import Outcome
+from neuralmesh_tools.batching.folder import Record
+from neuralmesh_tools.batching.work import Job, do_job, kept_failure, kept_record
 from neuralmesh_tools.project import SCRIPTS
 
 # An item whose worker is lost is handed to another one, this often; then the item is to blame.
@@ -58,9 +57,7 @@ def _failed(job: Job, future: Future) -> Record:
     """Record a job that Dask gave up on: its workers were lost, or the scheduler was."""
     reason = future.exception() if future.status == "error" else "the scheduler was lost"
     words = f"Dask gave it up: {' '.join(str(reason).split())}"
-    record = record_of(job, Outcome("crashed", None, words, 0.0, 0))
-    OutFolder(job.out).write_record(job.item.name, record)
-    return record
+    return kept_failure(job, "crashed", words)
 
 
 @contextmanager

@@ -4,9 +4,14 @@
 from __future__ import annotations
 
 import glob
+import os
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
-from pathlib import Path, PurePosixPath
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from neuralmesh_tools.batching.folder import STATE
+from neuralmesh_tools.batching.left_out import LeftOut, left_out_text
+from neuralmesh_tools.batching.names import Source, distinct_names
 
 # What is taken from a folder: the formats with points or triangles that PyMeshLab reads. A file
 # that is named outright may have any ending.
@@ -31,75 +36,120 @@ class Item:
     name: str
 
 
-def find_items(arguments: Iterable[str], lists: Iterable[Path], out: Path) -> list[Item]:
+@dataclass
+class Inputs:
+    """The batch's items, in the order given, and what folders hold that is none of them."""
+
+    items: list[Item] = field(default_factory=list)
+    left_out: list[LeftOut] = field(default_factory=list)
+
+
+def find_items(arguments: Iterable[str], lists: Iterable[Path], out: Path) -> Inputs:
     """Return the batch's items, in the order given, each file once.
 
     A folder stands for the scans in and under it, whose outputs keep their place relative to it;
     what lies in out is left out. Files that do not exist become items too: they fail, each with
-    its sentence, and the rest goes on.
-    Raises InputError if a folder or a glob holds nothing, if a list cannot be read, or if two
-    inputs would write the same output.
+    its sentence, and the rest goes on. Names are told apart as names.py says.
+    Raises InputError if an input is empty, if a folder or a glob holds nothing, or if a list cannot
+    be read.
     """
     entries = [*arguments, *(line for path in lists for line in read_list(path))]
-    items: dict[Path, Item] = {}
+    sources: dict[Path, Source] = {}
+    left_out: dict[Path, LeftOut] = {}
     for entry in entries:
-        for item in _items_of(entry, out.resolve()):
-            items.setdefault(item.source, item)
-    if not items:
+        for found in _found_in(entry, out.resolve()):
+            if isinstance(found, LeftOut):
+                left_out.setdefault(found.path, found)
+            else:
+                sources.setdefault(found.path, found)
+    if not sources:
         raise InputError("There are no inputs.")
-    refuse_collisions(items.values())
-    return list(items.values())
+    names = distinct_names(list(sources.values()))
+    items = [Item(path, name) for path, name in zip(sources, names, strict=True)]
+    # What one folder leaves out, another entry may have named.
+    return Inputs(items, [found for path, found in left_out.items() if path not in sources])
 
 
 def read_list(path: Path) -> list[str]:
     """Return the lines of a list, one input a line, without empty lines and # comments."""
     try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as problem:
-        raise InputError(f"The list {path} cannot be read: {problem}.") from problem
-    stripped = (line.strip() for line in lines)
+        # Names of files are bytes: what is no UTF-8 is kept as it is. Only line ends divide them.
+        text = os.fsdecode(path.read_bytes()).removeprefix("\ufeff")
+    except OSError as problem:
+        raise InputError(f"The list {path} cannot be read: {problem.strerror}.") from problem
+    if "\0" in text:
+        raise InputError(f"The list {path} is no text: it holds zero bytes.")
+    stripped = (line.strip() for line in text.split("\n"))
     return [line for line in stripped if line and not line.startswith("#")]
 
 
-def _items_of(entry: str, out: Path) -> Iterator[Item]:
+def _found_in(entry: str, out: Path) -> Iterator[Source | LeftOut]:
+    if not entry.strip():
+        raise InputError("An input is empty: it names no file. Is a variable not set?")
     path = Path(entry)
-    if path.is_dir():
-        scans = [scan for scan in sorted(path.rglob("*")) if _is_scan(scan, out)]
-        if not scans:
-            raise InputError(f"The folder {entry} holds no scans.")
-        for scan in scans:
-            yield Item(scan.resolve(), scan.relative_to(path).with_suffix("").as_posix())
-    elif path.exists() or not glob.has_magic(entry):
-        yield Item(path.resolve(), path.stem)
+    if _is_folder(path):
+        yield from _scans_in(path, out)
+    elif os.path.lexists(entry) or not glob.has_magic(entry):
+        yield Source(_absolute(path), Path(path.name))
     else:
         found = sorted(Path(name) for name in glob.glob(entry, recursive=True))
         files = [file for file in found if file.is_file()]
         if not files:
             raise InputError(f"Nothing matches {entry}.")
         for file in files:
-            yield Item(file.resolve(), file.stem)
+            yield Source(_absolute(file), Path(file.name))
 
 
-def _is_scan(path: Path, out: Path) -> bool:
-    return (
-        path.suffix.lower() in SCAN_SUFFIXES
-        and path.is_file()
-        and not path.resolve().is_relative_to(out)
-    )
+def _scans_in(folder: Path, out: Path) -> Iterator[Source | LeftOut]:
+    """The scans in and under a folder, and what else is there; links to folders are not followed.
 
-
-def refuse_collisions(items: Iterable[Item]) -> None:
-    """Raise InputError, naming both inputs, if two items have the same name.
-
-    Case does not count: there are file systems where it does not.
+    Raises InputError if there is no scan.
     """
-    taken: dict[str, Item] = {}
-    for item in items:
-        if PurePosixPath(item.name).parts[0] in ("logs", ".batch"):
-            raise InputError(f"{item.source}: its output would lie among the batch's own files.")
-        first = taken.setdefault(item.name.casefold(), item)
-        if first is not item:
-            raise InputError(
-                f"{first.source} and {item.source} would both become {item.name}: give the folder "
-                "that holds them, so that outputs keep their place in it, or rename one."
-            )
+    sources, left_out = [], []
+    unreadable: list[OSError] = []
+    for root, folders, files in os.walk(folder, onerror=unreadable.append):
+        here = Path(root)
+        links = [name for name in folders if (here / name).is_symlink()]
+        left_out += [LeftOut(_absolute(here) / name, "a link to a folder") for name in links]
+        # A batch's own files are no inputs: neither this one's nor those of another one.
+        folders[:] = sorted(
+            name
+            for name in folders
+            if name not in links and name != STATE and _absolute(here / name) != out
+        )
+        for path in (here / name for name in sorted(files)):
+            if reason := _why_not(path):
+                left_out.append(LeftOut(_absolute(here) / path.name, reason))
+            else:
+                sources.append(Source(_absolute(path), path.relative_to(folder)))
+    left_out += [
+        LeftOut(Path(problem.filename), f"cannot be read: {problem.strerror}")
+        for problem in unreadable
+    ]
+    if not sources:
+        raise InputError(f"The folder {folder} holds no scans. {left_out_text(left_out)}".rstrip())
+    yield from sources
+    yield from left_out
+
+
+def _why_not(path: Path) -> str:
+    """Why a file of a folder is no scan; empty if it is one."""
+    if path.suffix.lower() not in SCAN_SUFFIXES:
+        return path.suffix.lower() or "no ending"
+    if path.is_file():
+        return ""
+    return "a link that leads nowhere" if path.is_symlink() else "not a file"
+
+
+def _is_folder(path: Path) -> bool:
+    try:
+        return path.is_dir()
+    except OSError:  # such as a name that is too long
+        return False
+
+
+def _absolute(path: Path) -> Path:
+    try:
+        return path.resolve()
+    except (OSError, RuntimeError):  # a name that is too long, a link to itself
+        return path.absolute()

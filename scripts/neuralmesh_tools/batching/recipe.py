@@ -5,11 +5,23 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 from dataclasses import dataclass, field
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 Value = bool | int | float | str
+
+# Each input is the one layer of a document; with these the filter would look elsewhere.
+_ONE_FILE = "every scan would become the mesh of one file. Give files as inputs."
+_ONE_LAYER = "the document of a scan has no other layer."
+REFUSED = {
+    "pointfile": _ONE_FILE,
+    "source=3": _ONE_FILE,
+    "startlayer": _ONE_LAYER,
+    "startmesh=3": _ONE_LAYER,
+}
 
 
 class RecipeError(ValueError):
@@ -57,9 +69,12 @@ def parse_settings(pairs: list[str], defaults: dict[str, Any]) -> dict[str, Valu
         name = name.strip().lower()
         if not equals:
             raise RecipeError(f"--set wants NAME=VALUE, not {pair}.")
+        refuse_own_input(name, text.strip())
         if name not in defaults:
             known = ", ".join(sorted(defaults))
-            raise RecipeError(f"The filter has no parameter {name}. It has: {known}.")
+            near = get_close_matches(name, defaults, 1)
+            meant = f" Is it {near[0]}?" if near else ""
+            raise RecipeError(f"The filter has no parameter {name}.{meant} It has: {known}.")
         parameters[name] = parse_value(name, text.strip(), defaults[name])
     return parameters
 
@@ -72,7 +87,7 @@ def parse_value(name: str, text: str, default: Any) -> Value:
         if isinstance(default, int):
             return int(text)
         if isinstance(default, float):
-            return _percentage(text) if text.endswith("%") else float(text)
+            return _percentage(text) if text.endswith("%") else _finite(text)
         if isinstance(default, str):
             return text
     except (KeyError, ValueError):
@@ -82,6 +97,19 @@ def parse_value(name: str, text: str, default: Any) -> Value:
     raise RecipeError(f"{name} cannot be set from the command line: use a filter script (--mlx).")
 
 
+def refuse_own_input(name: str, text: str) -> None:
+    """Raise RecipeError on a setting by which the filter would not work on the item's own input."""
+    if reason := REFUSED.get(name) or REFUSED.get(f"{name}={text}"):
+        raise RecipeError(f"--set {name}={text} does not go with a batch: {reason}")
+
+
 def _percentage(text: str) -> str:
-    float(text[:-1])
+    _finite(text[:-1])
     return text
+
+
+def _finite(text: str) -> float:
+    number = float(text)
+    if not math.isfinite(number):
+        raise ValueError
+    return number

@@ -9,7 +9,17 @@ from typing import Any
 import pymeshlab
 
 from neuralmesh_tools.batching.recipe import Recipe, Value
-from neuralmesh_tools.layers import details, figures_of, load_plugin, read_document
+from neuralmesh_tools.geometry import diagonal
+from neuralmesh_tools.layers import (
+    details,
+    figures_of,
+    load_plugin,
+    read_document,
+    why_no_points,
+)
+
+# What PyMeshLab writes and reads with the same numbers of vertices and faces.
+READ_AGAIN = (".ply", ".obj", ".off")
 
 
 def reconstruct(recipe: Recipe, source: str, target: str) -> dict[str, Any]:
@@ -20,13 +30,24 @@ def reconstruct(recipe: Recipe, source: str, target: str) -> dict[str, Any]:
     """
     load_plugins(recipe.plugins)
     document = load(Path(source))
+    size = diagonal(document.current_mesh().vertex_matrix())
     returned = follow(document, recipe)
     mesh = document.current_mesh()
     results = {"vertices": mesh.vertex_number(), "faces": mesh.face_number()}
     if results["vertices"] == 0:
         raise ValueError("The result is an empty mesh.")
-    document.save_current_mesh(target)
-    return {**results, **figures_of(returned)}
+    save(document, Path(target))
+    return {**results, **with_per_cent(figures_of(returned), size)}
+
+
+def with_per_cent(figures: dict[str, Any], size: float) -> dict[str, Any]:
+    """Add the errors, where there are any, in per cent of the input's diagonal (size)."""
+    errors = {
+        f"{name}_percent": 100 * figures[name] / size
+        for name in ("rms_error", "max_error")
+        if name in figures and size > 0
+    }
+    return {**figures, **errors}
 
 
 def load_plugins(paths: tuple[Path, ...]) -> None:
@@ -37,14 +58,39 @@ def load_plugins(paths: tuple[Path, ...]) -> None:
 
 def load(source: Path) -> pymeshlab.MeshSet:
     """Read a scan into a document; raises ValueError if it cannot be read or is empty."""
-    if not source.exists():
-        raise ValueError("There is no such file.")
-    if not source.is_file():
-        raise ValueError("It is not a file.")
-    document = read_document(source)
+    try:
+        if not source.exists():
+            raise ValueError("There is no such file.")
+        if not source.is_file():
+            raise ValueError("It is not a file.")
+    except OSError as problem:  # such as a name that is too long
+        raise ValueError(f"It cannot be read: {problem.strerror}.") from None
+    document = read_document(source, verbose=True)  # what filters print goes into the log
     if document.current_mesh().vertex_number() == 0:
-        raise ValueError("It holds no points.")
+        raise ValueError(why_no_points(source))
     return document
+
+
+def save(document: pymeshlab.MeshSet, target: Path) -> None:
+    """Save the current layer; raises ValueError if the file is not there whole afterwards.
+
+    A disk that is full as the last block is written goes unnoticed by PyMeshLab: what it wrote is
+    read again, where it reads all that it writes.
+    """
+    counts = counts_again = _counts(document)
+    try:
+        document.save_current_mesh(str(target))
+        if target.suffix in READ_AGAIN:
+            counts_again = _counts(read_document(target))
+    except (pymeshlab.PyMeshLabException, ValueError) as problem:
+        raise ValueError(f"Its output cannot be written: {details(problem)}") from None
+    if counts_again != counts or target.stat().st_size == 0:
+        raise ValueError("Its output cannot be written: not all of it is in the file.")
+
+
+def _counts(document: pymeshlab.MeshSet) -> tuple[int, int]:
+    mesh = document.current_mesh()
+    return mesh.vertex_number(), mesh.face_number()
 
 
 def follow(document: pymeshlab.MeshSet, recipe: Recipe) -> dict[str, Any] | None:

@@ -11,8 +11,9 @@ from typing import Any
 
 from neuralmesh_tools.batching.folder import OutFolder, Record
 from neuralmesh_tools.batching.inputs import Item
+from neuralmesh_tools.batching.left_out import LeftOut
 from neuralmesh_tools.batching.recipe import Recipe
-from neuralmesh_tools.files import write_in_one_step
+from neuralmesh_tools.files import shown, write_in_one_step
 from neuralmesh_tools.machine import machine
 
 COLUMNS = (
@@ -40,14 +41,16 @@ def pending_record(item: Item) -> Record:
     return {
         **dict.fromkeys(COLUMNS),
         "name": item.name,
-        "input": str(item.source),
+        "input": shown(item.source),
         "outcome": "pending",
         "error": "It has not been done: the batch was stopped.",
         "results": {},
     }
 
 
-def write_report(folder: OutFolder, records: Sequence[Record], recipe: Recipe) -> None:
+def write_report(
+    folder: OutFolder, records: Sequence[Record], recipe: Recipe, left_out: Sequence[LeftOut]
+) -> None:
     """Write both files, in the order of the inputs, each in one step."""
     report = {
         "recipe": {
@@ -60,6 +63,7 @@ def write_report(folder: OutFolder, records: Sequence[Record], recipe: Recipe) -
         "items": len(records),
         "failed": sum(bool(record["error"]) for record in records),
         "doubtful": sum(bool(record.get("warning")) for record in records),
+        "left_out": [{"path": shown(f.path), "kind": shown(f.kind)} for f in left_out],
         "records": list(records),
     }
     write_in_one_step(folder.root / "report.json", json.dumps(report, indent=1) + "\n")

@@ -19,10 +19,11 @@ from rich.text import Text
 from neuralmesh_tools.batching import report
 from neuralmesh_tools.batching.engine import run_jobs
 from neuralmesh_tools.batching.folder import OutFolder, Record
-from neuralmesh_tools.batching.inputs import Item
+from neuralmesh_tools.batching.inputs import Inputs, Item
+from neuralmesh_tools.batching.left_out import left_out_text
 from neuralmesh_tools.batching.recipe import Recipe
 from neuralmesh_tools.batching.work import Job
-from neuralmesh_tools.files import sha256_of
+from neuralmesh_tools.files import sha256_of, shown
 
 INTERRUPTED = 130  # what a shell reports of a program that Ctrl-C ended
 
@@ -39,13 +40,15 @@ class Settings:
     recycle_after: int
 
 
-def run_batch(items: list[Item], recipe: Recipe, settings: Settings, console: Console) -> int:
+def run_batch(inputs: Inputs, recipe: Recipe, settings: Settings, console: Console) -> int:
     """Do what is not done yet, write the report, and return the exit code.
 
-    0: all items have their output. 1: some have failed. 130: stopped by Ctrl-C or SIGTERM.
-    Raises folder.Locked if another batch works in the folder, OSError if a scheduler does not
-    answer.
+    0: all items have their output. 1: some have failed, or there is no room for the report. 130:
+    stopped by Ctrl-C or SIGTERM.
+    Raises folder.Locked if another batch works in the folder, OSError if that cannot be written to
+    or a scheduler does not answer.
     """
+    items = inputs.items
     folder = OutFolder(settings.out.resolve())
     run = f"{time.strftime('%Y%m%d-%H%M%S')}-{uuid.uuid4().hex[:8]}"
     interrupted = False
@@ -65,14 +68,33 @@ def run_batch(items: list[Item], recipe: Recipe, settings: Settings, console: Co
         ]
         to_do = [job for job in jobs if not folder.is_done(job.item.name, job.fingerprint)]
         console.print(f"{len(items)} items, {len(items) - len(to_do)} of them done before")
+        if inputs.left_out:
+            console.print(shown(left_out_text(inputs.left_out)), soft_wrap=True)
+        new: dict[str, Record] = {}
         try:
             if to_do:
-                _do(to_do, settings, console)
+                _do(to_do, settings, console, new)
         except KeyboardInterrupt:
             interrupted = True
-        records = [_final_record(folder, job) for job in jobs]
-        report.write_report(folder, records, recipe)
-    return _say_what_came_out(records, folder, interrupted, console)
+        folder.clear_partial()  # on a full disk, the report needs the room
+        # A record that could not be kept is in memory only.
+        records = [new.get(job.item.name) or _final_record(folder, job) for job in jobs]
+        unwritten = _write_report(folder, records, recipe, inputs, console)
+    code = _say_what_came_out(records, folder, interrupted, console)
+    return code or int(unwritten)
+
+
+def _write_report(
+    folder: OutFolder, records: list[Record], recipe: Recipe, inputs: Inputs, console: Console
+) -> bool:
+    """Write the report; say so, and return True, if there is no way to."""
+    try:
+        report.write_report(folder, records, recipe, inputs.left_out)
+    except OSError as problem:
+        line = f"The report cannot be written: {problem.strerror or problem}"
+        console.print(Text(line, style="red"), soft_wrap=True)
+        return True
+    return False
 
 
 def _hashes(items: list[Item]) -> Iterator[str]:
@@ -81,14 +103,15 @@ def _hashes(items: list[Item]) -> Iterator[str]:
     def hash_or_nothing(item: Item) -> str:
         try:
             return sha256_of(item.source) if item.source.is_file() else ""
-        except OSError:
+        except OSError:  # a name that is too long, too
             return ""
 
     with ThreadPoolExecutor() as pool:
         yield from pool.map(hash_or_nothing, items)
 
 
-def _do(jobs: list[Job], settings: Settings, console: Console) -> None:
+def _do(jobs: list[Job], settings: Settings, console: Console, done: dict[str, Record]) -> None:
+    """Run the jobs; their records come into done, by name, as they finish."""
     columns = (
         TextColumn("{task.description}"),
         BarColumn(),
@@ -102,12 +125,11 @@ def _do(jobs: list[Job], settings: Settings, console: Console) -> None:
         running = run_jobs(jobs, workers=settings.workers, scheduler=settings.scheduler)
         with closing(running) as records:  # on Ctrl-C too, before the report is written
             for record in records:
-                if record["error"]:
-                    failed += 1
-                    line = Text(f"{record['name']}: {record['error']}", style="red")
-                    progress.console.print(line, soft_wrap=True)
-                elif record.get("warning"):
-                    line = Text(f"{record['name']}: {record['warning']}", style="yellow")
+                done[record["name"]] = record
+                failed += bool(record["error"])
+                if what := record["error"] or record["warning"]:
+                    style = "red" if record["error"] else "yellow"
+                    line = Text(shown(f"{record['name']}: {what}"), style=style)
                     progress.console.print(line, soft_wrap=True)
                 progress.update(bar, advance=1, failed=f"{failed} failed" if failed else "")
 
@@ -133,7 +155,7 @@ def _say_what_came_out(
     doubtful = sum(bool(record.get("warning")) for record in records)
     warned = f", {doubtful} of them with a warning" if doubtful else ""
     figures = f"{done} done{warned}, {failed} failed"
-    console.print(f"{figures}; {folder.root / 'report.csv'}", soft_wrap=True)
+    console.print(shown(f"{figures}; {folder.root / 'report.csv'}"), soft_wrap=True)
     return 1 if failed else 0
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import socket
@@ -15,6 +16,7 @@ from neuralmesh_tools.batching.folder import OutFolder, Record
 from neuralmesh_tools.batching.inputs import Item
 from neuralmesh_tools.batching.recipe import Recipe
 from neuralmesh_tools.doubts import doubts
+from neuralmesh_tools.files import shown
 from neuralmesh_tools.isolation import IsolatedProcess, Outcome
 
 
@@ -71,13 +73,39 @@ def do_job(job: Job) -> Record:
     """
     if earlier := kept_record(job):
         return earlier
+    try:
+        return _do(job)
+    except OSError as problem:  # a full disk, a name that is too long, a folder that is a link
+        return kept_failure(job, "not written", f"It cannot be written: {_words(problem)}")
+
+
+def kept_failure(job: Job, kind: str, failure: str) -> Record:
+    """Record that a job failed, and keep the record where there is room for it."""
+    folder, name = OutFolder(job.out), job.item.name
+    record = record_of(job, Outcome(kind, None, failure, 0.0, 0))
+    if folder.is_current(job.run):
+        with contextlib.suppress(OSError):
+            folder.remove_other_output(name, "")
+        with contextlib.suppress(OSError):
+            folder.write_record(name, record)
+    return record
+
+
+def _words(problem: OSError) -> str:
+    words = " ".join((problem.strerror or str(problem)).split())
+    return words if words.endswith(".") else words + "."
+
+
+def _do(job: Job) -> Record:
     folder = OutFolder(job.out)
     name = job.item.name
     partial = folder.partial(job.run, name)
     shutil.rmtree(partial, ignore_errors=True)
-    partial.mkdir(parents=True)
-    outcome = _reconstruct(job, partial, folder.log(name))
-    record = record_of(job, outcome)
+    folder.make_room_for(partial / "output")
+    log = folder.new_log(name)
+    outcome = _reconstruct(job, partial, log)
+    printed = log.read_text(encoding="utf-8", errors="replace") if outcome.ok else ""
+    record = record_of(job, outcome, printed)
     if not folder.is_current(job.run):
         return record
     if outcome.ok:
@@ -91,31 +119,30 @@ def do_job(job: Job) -> Record:
 
 
 def _reconstruct(job: Job, partial: Path, log: Path) -> Outcome:
-    """Run the item in the isolated process; its log starts anew and ends with the outcome."""
-    log.parent.mkdir(parents=True, exist_ok=True)
-    log.write_text(f"{job.item.source}\n", encoding="utf-8")
+    """Run the item in the isolated process; its log has the input before, the outcome after it."""
+    log.write_text(f"{shown(job.item.source)}\n", encoding="utf-8")
     outcome = _process(job).call(
         RECONSTRUCT_SCAN,
         job.recipe,
         str(job.item.source),
-        str(partial / f"{Path(job.item.name).name}{job.recipe.suffix}"),
-        timeout=job.timeout,
+        str(partial / OutFolder(job.out).output(job.item.name, job.recipe.suffix).name),
+        cpu_timeout=job.timeout * job.recipe.threads,
         memory_limit=job.memory_limit,
         log=log,
         folder=partial,
     )
     with log.open("a", encoding="utf-8") as stream:
-        stream.write(f"{outcome.failure or 'Done.'} ({outcome.seconds:.2f} s)\n")
+        stream.write(f"{shown(outcome.failure) or 'Done.'} ({outcome.seconds:.2f} s)\n")
     return outcome
 
 
-def record_of(job: Job, outcome: Outcome) -> Record:
-    """A record of an outcome that has no output (yet)."""
+def record_of(job: Job, outcome: Outcome, log: str = "") -> Record:
+    """A record of an outcome that has no output (yet); log: what the filters printed."""
     recipe = job.recipe
     results = outcome.value or {}
     return {
         "name": job.item.name,
-        "input": str(job.item.source),
+        "input": shown(job.item.source),
         "input_sha256": job.input_sha256,
         "fingerprint": job.fingerprint,
         "filter": "" if recipe.script else recipe.filter,
@@ -126,8 +153,8 @@ def record_of(job: Job, outcome: Outcome) -> Record:
         "output": "",
         "output_bytes": 0,
         "outcome": outcome.kind,
-        "error": outcome.failure,
-        "warning": doubts(results),
+        "error": shown(outcome.failure),
+        "warning": shown(doubts(results, log)),
         "seconds": round(outcome.seconds, 3),
         "peak_megabytes": round(outcome.peak_bytes / 2**20, 1),
         "results": results,

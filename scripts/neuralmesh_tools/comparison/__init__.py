@@ -5,5 +5,5 @@ clouds.py    a cloud, its normals and spacing       reconstruct.py  a method at 
 measures.py  what a result is worth                 run.py       all of it, each call isolated
 verdict.py   which one to use, from the figures     figures.py   3D views and charts
 page.py      report.html                            tables.py    results.csv and results.json
-command_line.py  options
+kept.py      comparisons of earlier runs           command_line.py  options
 """

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from neuralmesh_tools.geometry import Faces, Points, diagonal, face_normals, sample_surface
-from neuralmesh_tools.layers import arrays_of, document_of, read_document
+from neuralmesh_tools.layers import arrays_of, document_of, read_document, why_no_points
 from neuralmesh_tools.methods import NORMAL_NEIGHBOURS, estimate_normals
 from neuralmesh_tools.metrics import point_distances
 
@@ -21,6 +21,8 @@ REFERENCE_SAMPLES = 50_000
 SEED = 20030512
 # A vertex within so many spacings of the points can be judged by their tangent planes.
 REACH = 3.0
+# In the report's view of the cloud.
+POINTS_SHOWN = 15_000
 # Of the length of a normal: below, it is none.
 LEAST_NORMAL = 1e-6
 
@@ -33,7 +35,6 @@ class Cloud:
     units.
     """
 
-    name: str
     points: Points
     normals: Points
     normals_from: str
@@ -44,6 +45,27 @@ class Cloud:
         """The length of the bounding box's diagonal."""
         return diagonal(self.points)
 
+    def facts(self) -> CloudFacts:
+        """What the report says and shows of it."""
+        shown = self.points
+        if len(shown) > POINTS_SHOWN:
+            generator = np.random.default_rng(SEED)
+            shown = shown[generator.choice(len(shown), POINTS_SHOWN, replace=False)]
+        return CloudFacts(
+            len(self.points), self.normals_from, self.spacing, self.diagonal, shown.astype("f4")
+        )
+
+
+@dataclass(frozen=True)
+class CloudFacts:
+    """What is kept of a cloud: its number of points, its sizes, and some points (k, 3) to show."""
+
+    count: int
+    normals_from: str
+    spacing: float
+    diagonal: float
+    shown: NDArray[np.float32]
+
 
 def load_cloud(path: str) -> Cloud:
     """Read the vertices of a file; estimate normals if it brings none.
@@ -52,6 +74,8 @@ def load_cloud(path: str) -> Cloud:
     needs.
     """
     points, normals, faces = _read(path)
+    if len(points) == 0:
+        raise ValueError(why_no_points(Path(path)))
     if len(points) <= NORMAL_NEIGHBOURS:
         raise ValueError(f"It holds {len(points)} points; {NORMAL_NEIGHBOURS + 1} are the least.")
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
@@ -63,7 +87,7 @@ def load_cloud(path: str) -> Cloud:
         estimate_normals(document)
         normals = document.current_mesh().vertex_normal_matrix().copy()
         source = f"estimated from {NORMAL_NEIGHBOURS} neighbours, as it has none"
-    return Cloud(Path(path).stem, points, normals, source, _spacing(points))
+    return Cloud(points, normals, source, _spacing(points))
 
 
 def _read(path: str) -> tuple[Points, Points, Faces]:

@@ -6,30 +6,50 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from rich.console import Console
 
-from neuralmesh_tools.command_line import add_plugin, listed, names, parser_of
+from neuralmesh_tools.batching.names import Source, distinct_names
+from neuralmesh_tools.command_line import (
+    add_plugin,
+    console,
+    folder,
+    listed,
+    names,
+    parser_of,
+    positive,
+)
 from neuralmesh_tools.comparison.clouds import REFERENCE_SAMPLES, load_surface
+from neuralmesh_tools.comparison.kept import STATE, fingerprint, keep, kept
 from neuralmesh_tools.comparison.measures import MESH_SAMPLES
 from neuralmesh_tools.comparison.page import write_page
-from neuralmesh_tools.comparison.run import LEAST_VERTICES, MEASURE_SECONDS, Settings, compare
+from neuralmesh_tools.comparison.run import (
+    LEAST_VERTICES,
+    MEASURE_SECONDS,
+    Comparison,
+    Settings,
+    compare,
+)
 from neuralmesh_tools.comparison.tables import write_tables
 from neuralmesh_tools.comparison.verdict import judge
-from neuralmesh_tools.files import sha256_of
+from neuralmesh_tools.files import sha256_of, shown, write_in_one_step
 from neuralmesh_tools.isolation import IsolatedProcess
 from neuralmesh_tools.machine import machine, version_of
 from neuralmesh_tools.methods import METHODS
 from neuralmesh_tools.project import PluginMissing, require_plugin
+
+USAGE = 2
+INTERRUPTED = 130  # what a shell reports of a program that Ctrl-C ended
 
 
 def parse_arguments(description: str | None) -> argparse.Namespace:
     """Read the command line; exits with 2 on what cannot work."""
     parser = parser_of(description)
     parser.add_argument("clouds", nargs="+", type=Path, metavar="CLOUD", help="point cloud or mesh")
-    parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="output folder")
+    parser.add_argument("--out", type=folder, required=True, metavar="DIR", help="output folder")
     text = "measure against this surface instead of the cloud itself"
     parser.add_argument("--reference", type=Path, metavar="MESH", help=text)
     text = "of each result (default: 5000, but at most a quarter of the points)"
@@ -37,9 +57,9 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     text = f"comma separated, of {listed(METHODS)} (default: all)"
     parser.add_argument("--methods", default=",".join(METHODS), metavar="NAMES", help=text)
     text = "distance that the F-score allows, in %% of the cloud's diagonal (default 0.1)"
-    parser.add_argument("--threshold", type=float, default=0.1, metavar="PERCENT", help=text)
-    text = "a method on a cloud is given up after that (default 60)"
-    parser.add_argument("--timeout", type=float, default=60, metavar="SECONDS", help=text)
+    parser.add_argument("--threshold", type=positive, default=0.1, metavar="PERCENT", help=text)
+    text = "a method is given up that computes longer, on each of its threads (default 60)"
+    parser.add_argument("--timeout", type=positive, default=60, metavar="SECONDS", help=text)
     text = "a method may use (default 1: Poisson's threads stall where others use the cores)"
     parser.add_argument("--threads", type=int, default=1, metavar="N", help=text)
     add_plugin(parser)
@@ -47,17 +67,26 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     options.methods = names(parser, "method", options.methods, METHODS)
     if options.vertices and options.vertices < LEAST_VERTICES:
         parser.error(f"--vertices must be at least {LEAST_VERTICES}")
-    if options.timeout <= 0 or options.threshold <= 0 or options.threads < 1:
-        parser.error("--timeout, --threshold and --threads must be positive")
+    if options.threads < 1:
+        parser.error("--threads must be at least 1")
     for path in [*options.clouds, *filter(None, [options.reference])]:
-        if not path.is_file():
-            parser.error(f"there is no file {path}")
+        if not _is_file(path):
+            parser.error(f"there is no file {shown(path)}")
+    # Each cloud once, in the order given.
+    options.clouds = list({path.resolve(): path for path in options.clouds}.values())
     if any(METHODS[name].exact for name in options.methods):
         try:
             require_plugin(options.plugin)
         except PluginMissing as problem:
             parser.error(str(problem))
     return options
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # such as a name that is too long
+        return False
 
 
 def settings_of(options: argparse.Namespace) -> Settings:
@@ -67,7 +96,7 @@ def settings_of(options: argparse.Namespace) -> Settings:
         with IsolatedProcess() as process:
             loaded = process.call(load_surface, str(options.reference), timeout=MEASURE_SECONDS)
         if not loaded.ok:
-            raise ValueError(f"{options.reference}: {loaded.failure}")
+            raise ValueError(f"{shown(options.reference)}: {loaded.failure}")
         surface = loaded.value
     return Settings(
         options.methods,
@@ -84,7 +113,7 @@ def about_the_run(options: argparse.Namespace) -> dict[str, Any]:
     """What the report says of how it came about."""
     here = machine()
     if options.reference:
-        against = f"the surface {options.reference.name}"
+        against = f"the surface {shown(options.reference.name)}"
         distance = "Distances to it are exact."
     else:
         against = "the cloud itself"
@@ -98,10 +127,10 @@ def about_the_run(options: argparse.Namespace) -> dict[str, Any]:
         "measuring": (
             f"Errors are measured against {against}: from up to {REFERENCE_SAMPLES:,} points of it "
             f"to the result, exactly, and back from {MESH_SAMPLES:,} points drawn on the result, "
-            f"uniformly by area. {distance} The F-score counts points within "
-            f"{options.threshold:g} % of the cloud's diagonal. Colours show the "
-            "RMS distance of each face, on one scale for all views of a cloud; what is beyond its "
-            "end is as red as the end."
+            f"uniformly by area, in per cent of the cloud's diagonal. {distance} The F-score "
+            f"counts points within {options.threshold:g} % of the cloud's diagonal. Colours show "
+            "the RMS distance of each face, on one scale for all views of a cloud; what is beyond "
+            "its end is as red as the end."
         ),
         "facts": {
             "date": time.strftime("%Y-%m-%d %H:%M"),
@@ -110,8 +139,8 @@ def about_the_run(options: argparse.Namespace) -> dict[str, Any]:
             "versions": f"PyMeshLab {version_of('pymeshlab')}, Python {here['python']}, "
             f"plugin {_short_hash(options.plugin)}",
             "threads": f"{options.threads} a method",
-            "time-out": f"{options.timeout:g} s a method and cloud",
-            "command": "scripts/compare.py " + " ".join(sys.argv[1:]),
+            "time-out": f"{options.timeout:g} s of computing a method and cloud",
+            "command": shown("scripts/compare.py " + " ".join(sys.argv[1:])),
         },
     }
 
@@ -126,27 +155,76 @@ def _short_hash(plugin: Path) -> str:
 def main(description: str | None) -> int:
     """Compare, write the report, print the answers. Returns the exit code."""
     options = parse_arguments(description)
-    console = Console(highlight=False)
+    terminal = console()
     try:
         settings = settings_of(options)
-    except ValueError as problem:
-        print(problem, file=sys.stderr)
-        return 2
-    options.out.mkdir(parents=True, exist_ok=True)
-    with console.status("reading") as status:
-
-        def say(line: str) -> None:
-            console.print(line, markup=False, soft_wrap=True)
-            status.update("next")
-
-        comparisons = [compare(path, settings, say) for path in options.clouds]
-    about = about_the_run(options)
-    write_tables(comparisons, about, options.out)
-    page = write_page(comparisons, about, options.out)
+        require_writable(options.out)
+    except (ValueError, OSError) as problem:
+        print(shown(problem), file=sys.stderr)
+        return USAGE
+    comparisons: list[Comparison] = []
+    try:
+        for comparison in compare_all(options, settings, terminal):
+            comparisons.append(comparison)
+            page = write_report(comparisons, options)
+    except KeyboardInterrupt:
+        done = f"{len(comparisons)} of {len(options.clouds)} clouds done"
+        terminal.print(f"stopped; {done}; the same command goes on from here")
+        return INTERRUPTED
+    except OSError as problem:
+        print(f"The report cannot be written: {shown(problem)}", file=sys.stderr)
+        return USAGE
     for comparison in comparisons:
         verdict = judge(comparison)
         answer = f"{verdict.sentence} {verdict.more}"
-        console.print(f"\n{comparison.name}: {answer}", markup=False, soft_wrap=True)
-    console.print(f"\n{page}", markup=False, soft_wrap=True)
+        terminal.print(shown(f"{comparison.name}: {answer}"), soft_wrap=True)
+    terminal.print(shown(page), soft_wrap=True)
     answered = all(judge(comparison).method for comparison in comparisons)
     return 0 if answered else 1
+
+
+def compare_all(
+    options: argparse.Namespace, settings: Settings, terminal: Console
+) -> Iterator[Comparison]:
+    """Yield the comparison of each cloud, kept from an earlier run or made and kept now."""
+    sources = [Source(path.resolve(), Path(path.name)) for path in options.clouds]
+    with terminal.status("reading") as status:
+
+        def say(line: str) -> None:
+            terminal.print(shown(line), soft_wrap=True)
+            status.update("next")
+
+        for path, name in zip(options.clouds, distinct_names(sources), strict=True):
+            mark = fingerprint(path, settings)
+            if earlier := kept(name, shown(path), options.out, mark):
+                say(f"{name}: done before")
+                yield earlier
+                continue
+            comparison = compare(path, name, settings, say)
+            keep(comparison, options.out, mark)
+            yield comparison
+
+
+def write_report(comparisons: list[Comparison], options: argparse.Namespace) -> Path:
+    """Write tables and page of the clouds that are done; return the page's path."""
+    about = about_the_run(options)
+    if len(comparisons) < len(options.clouds):
+        about["facts"]["clouds"] = (
+            f"{len(comparisons)} of {len(options.clouds)} so far; the same command does the rest"
+        )
+    write_tables(comparisons, about, options.out)
+    return write_page(comparisons, about, options.out)
+
+
+def require_writable(out: Path) -> None:
+    """Make the output folder; raises OSError with a sentence if it cannot be written to."""
+    try:
+        for folder in (out, out / STATE):
+            folder.mkdir(parents=True, exist_ok=True)
+            if folder.is_symlink() and folder != out:
+                raise OSError(f"{folder} is a link that leads elsewhere")
+        write_in_one_step(out / STATE / "probe", b"")
+        (out / STATE / "probe").unlink()
+    except OSError as problem:
+        reason = problem.strerror or problem
+        raise OSError(f"{out} cannot be written to: {reason}.") from problem

@@ -7,7 +7,7 @@ import numpy as np
 import plotly.graph_objects as go
 from plotly.subplots import make_subplots
 
-from neuralmesh_tools.comparison.clouds import SEED, Cloud
+from neuralmesh_tools.comparison.clouds import CloudFacts
 from neuralmesh_tools.comparison.measures import LARGEST_VALENCE
 from neuralmesh_tools.comparison.run import CHART_FRACTIONS, Comparison, Result
 from neuralmesh_tools.comparison.verdict import is_closed
@@ -16,7 +16,6 @@ from neuralmesh_tools.methods import METHODS
 COLUMNS = 3
 ROW_HEIGHT = 400
 CHARTS_HEIGHT = 380
-CLOUD_POINTS_SHOWN = 15_000
 POINT_COLOUR = "#51606e"
 # Low error blue, high error red (ColorBrewer's RdYlBu, reversed).
 ERROR_COLOURS = [
@@ -40,7 +39,7 @@ CAMERA = {"up": {"x": 0, "y": 1, "z": 0}, "eye": {"x": 0.35, "y": 0.3, "z": 1.75
 
 
 def error_scale(results: list[Result]) -> float:
-    """The error at the red end, in units of the input, common to all views of a cloud."""
+    """The error at the red end, in % of the diagonal, common to all views of a cloud."""
     ends = [np.percentile(r.face_error, SCALE_PERCENTILE) for r in results if r.mesh is not None]
     return float(np.median(ends)) or 1.0
 
@@ -56,7 +55,7 @@ def views(comparison: Comparison, against: str) -> go.Figure:
     cloud = comparison.cloud
     assert cloud is not None  # the page draws no comparison that failed
     shown = [result for result in comparison.results if result.mesh is not None]
-    titles = [f"the cloud<br><sub>{len(cloud.points):,} points</sub>", *map(_title, shown)]
+    titles = [f"the cloud<br><sub>{cloud.count:,} points</sub>", *map(_title, shown)]
     row_count = -(-len(titles) // COLUMNS)
     figure = make_subplots(
         rows=row_count,
@@ -83,9 +82,10 @@ def views(comparison: Comparison, against: str) -> go.Figure:
             "cmin": 0,
             "cmax": error_scale(shown),
             "colorbar": {
-                "title": {"text": f"distance to {against},<br>units of the input", "side": "right"},
+                "title": {"text": f"distance to {against},<br>% of the diagonal", "side": "right"},
                 "thickness": 16,
                 "exponentformat": "power",
+                "ticksuffix": " %",
             },
         },
     )
@@ -96,15 +96,11 @@ def _title(result: Result) -> str:
     values = result.values
     open_edges = f"{values['boundary_edges']:,} boundary edges"
     edge = "closed" if is_closed(result) else open_edges
-    return f"<b>{result.label}</b><br><sub>RMS {values['rms']:.2g}, {edge}</sub>"
+    return f"<b>{result.label}</b><br><sub>RMS {values['rms_percent']:.2g} %, {edge}</sub>"
 
 
-def _points(cloud: Cloud) -> go.Scatter3d:
-    points = cloud.points
-    if len(points) > CLOUD_POINTS_SHOWN:
-        generator = np.random.default_rng(SEED)
-        points = points[generator.choice(len(points), CLOUD_POINTS_SHOWN, replace=False)]
-    x, y, z = points.T.astype("f4")
+def _points(cloud: CloudFacts) -> go.Scatter3d:
+    x, y, z = cloud.shown.T
     marker = {"size": 1.3, "color": POINT_COLOUR}
     return go.Scatter3d(x=x, y=y, z=z, mode="markers", marker=marker, hoverinfo="skip")
 
@@ -126,7 +122,7 @@ def _mesh(result: Result) -> go.Mesh3d:
         name=result.label,
         lighting={"ambient": 0.55, "diffuse": 0.7, "specular": 0.05, "fresnel": 0.02},
         lightposition={"x": 2000, "y": 3000, "z": 5000},
-        hovertemplate="error %{intensity:.3g}<extra>%{fullData.name}</extra>",
+        hovertemplate="error %{intensity:.3g} %<extra>%{fullData.name}</extra>",
     )
 
 
@@ -170,7 +166,7 @@ def charts(comparison: Comparison) -> go.Figure:
     )
     figure.update_yaxes(
         type="log",
-        title_text="units of the input",
+        title_text="% of the diagonal",
         exponentformat="power",
         dtick="D2",
         row=1,

@@ -55,9 +55,9 @@ def _cloud(comparison: Comparison, against: str) -> dict[str, Any]:
     }
     if comparison.cloud is not None:
         described |= {
-            "points": f"{len(comparison.cloud.points):,}",
+            "points": f"{comparison.cloud.count:,}",
             "normals": comparison.cloud.normals_from,
-            "spacing": f"{comparison.cloud.spacing:.3g}",
+            "spacing": f"{100 * comparison.cloud.spacing / comparison.cloud.diagonal:.2g} %",
             "diagonal": f"{comparison.cloud.diagonal:.4g}",
             "vertices": f"{comparison.vertices:,}",
             "views_height": views_height(comparison),
@@ -72,12 +72,13 @@ def _row(result: Result, comparison: Comparison, recommended: str) -> dict[str, 
     row: dict[str, Any] = {
         "label": result.label,
         "failure": result.failure,
+        "doubts": result.doubts,
+        "why_none": "timed out" if result.kind == "timed out" else "no mesh",
         "recommended": result.method == recommended,
     }
     if not result.failure and comparison.cloud is not None:
-        percent = 100 * result.values["rms"] / comparison.cloud.diagonal
         row |= {
-            "percent": f"{percent:.2g} %",
+            "percent": f"{result.values['rms_percent']:.2g} %",
             "closed": "closed" if is_closed(result) else "open",
             "seconds": f"{result.values['seconds']:.1f} s",
             "cells": [_cell(column, result, comparison) for column in COLUMNS],
@@ -87,10 +88,10 @@ def _row(result: Result, comparison: Comparison, recommended: str) -> dict[str, 
 
 def _cell(column: Column, result: Result, comparison: Comparison) -> dict[str, Any]:
     """A figure as shown, as sorted, and whether it is the best of its column."""
-    value = result.values[column.key]
+    value = result.values.get(column.key)
     if value is None:
         return {"shown": "–", "value": "", "best": False}
-    others = [r.values[column.key] for r in comparison.results if not r.failure]
+    others = [r.values.get(column.key) for r in comparison.results if not r.failure]
     known = [other for other in others if other is not None]
     best = {"low": min(known), "high": max(known), None: None}[column.better]
     return {"shown": format(value, column.shown), "value": value, "best": value == best}

@@ -19,9 +19,10 @@ def reconstruct_at_counts(
 ) -> list[Reconstruction]:
     """Reconstruct a cloud and return a mesh for each count of vertices, the largest first.
 
-    Our filter runs once a count; the others once, and are then decimated, each from the mesh
-    before. Normals are those of the cloud; the time to estimate them is not counted. Raises
-    ValueError if a result has no faces, and what PyMeshLab raises.
+    Our filter runs once a count, and prints its log for the first; the others run once, and are
+    then decimated, each from the mesh before. Normals are those of the cloud; the time to
+    estimate them is not counted. Raises ValueError if a result has no faces,
+    and what PyMeshLab raises.
     """
     method = METHODS[name]
     counts = sorted(counts, reverse=True)
@@ -29,7 +30,9 @@ def reconstruct_at_counts(
     if method.exact:
         load_plugin(plugin)
         tasks = [replace(task, vertices=count) for count in counts]
-        return [reconstruct(method, document_of(cloud.points), each) for each in tasks]
+        # The log is that of the first, the largest.
+        documents = (document_of(cloud.points, verbose=number == 0) for number in range(len(tasks)))
+        return [reconstruct(method, *pair) for pair in zip(documents, tasks, strict=True)]
     document = document_of(cloud.points, normals=cloud.normals)
     meshes = [cut_down(reconstruct(method, document, task), counts[0])]
     for count in counts[1:]:

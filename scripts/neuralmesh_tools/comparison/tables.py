@@ -34,18 +34,41 @@ COLUMNS = (
         "peak_megabytes", "peak MB", "resident memory of the process, PyMeshLab included", ".0f"
     ),
     Column("vertices", "vertices", "of the result, after cutting down", ",d", None),
-    Column("rms", "RMS error", "both ways taken together, in units of the input"),
-    Column("rms_to_mesh", "RMS to mesh", "from the reference to the result"),
-    Column("rms_to_reference", "RMS to ref.", "from the result to the reference"),
-    Column("hausdorff_to_mesh", "worst to mesh", "one-sided Hausdorff, reference to result"),
-    Column("hausdorff_to_reference", "worst to ref.", "one-sided Hausdorff, result to reference"),
-    Column("chamfer", "Chamfer", "mean of the two mean distances"),
+    Column(
+        "rms_percent",
+        "RMS error %",
+        "both ways taken together, in % of the diagonal, as all errors",
+    ),
+    Column("rms_to_mesh_percent", "RMS to mesh %", "from the reference to the result"),
+    Column("rms_to_reference_percent", "RMS to ref. %", "from the result to the reference"),
+    Column(
+        "hausdorff_to_mesh_percent", "worst to mesh %", "one-sided Hausdorff, reference to result"
+    ),
+    Column(
+        "hausdorff_to_reference_percent",
+        "worst to ref. %",
+        "one-sided Hausdorff, result to reference",
+    ),
+    Column("chamfer_percent", "Chamfer %", "mean of the two mean distances"),
     Column("f_score", "F-score %", "of the shares within the threshold both ways", ".1f", "high"),
     Column(
         "normal_consistency", "normals %", "mean |cosine| between nearest normals", ".1f", "high"
     ),
     Column("missed", "missed %", "of the reference further than 3 spacings from the result", ".1f"),
     Column("far_from_points", "away %", "of area further than 3 spacings from all points", ".1f"),
+    Column(
+        "coverage_percent",
+        "covered %",
+        "by the filter's own figures: points near the mesh",
+        ".1f",
+        "high",
+    ),
+    Column(
+        "unsupported_area_percent",
+        "unsupported %",
+        "by the filter's own: area far from all points",
+        ".1f",
+    ),
     Column("boundary_edges", "boundary", "edges with one face", ",d"),
     Column("non_manifold_edges", "non-manifold", "edges with more than two faces", ",d"),
     Column("self_intersecting", "crossing", "faces that intersect another", ",d"),
@@ -66,12 +89,13 @@ def rows(comparisons: list[Comparison]) -> Iterator[dict[str, Any]]:
             yield {**head, "method": "", "failure": comparison.failure}
         for result in comparison.results:
             figures = {column.key: result.values.get(column.key) for column in COLUMNS}
-            yield {**head, "method": result.method, "failure": result.failure, **figures}
+            about = {"failure": result.failure, "doubts": result.doubts}
+            yield {**head, "method": result.method, **about, **figures}
 
 
 def write_tables(comparisons: list[Comparison], about: dict[str, Any], out: Path) -> None:
     """Write results.csv, a row each, and results.json with all that the report shows but meshes."""
-    names = ["cloud", "file", "method", "failure", *(column.key for column in COLUMNS)]
+    names = ["cloud", "file", "method", "failure", "doubts", *(column.key for column in COLUMNS)]
     table = io.StringIO()
     writer = csv.DictWriter(table, names, lineterminator="\n")
     writer.writeheader()
@@ -85,7 +109,7 @@ def write_tables(comparisons: list[Comparison], about: dict[str, Any], out: Path
 def _as_json(comparison: Comparison) -> dict[str, Any]:
     verdict, cloud = judge(comparison), comparison.cloud
     described = cloud and {
-        "points": len(cloud.points),
+        "points": cloud.count,
         "normals": cloud.normals_from,
         "spacing": cloud.spacing,
         "diagonal": cloud.diagonal,
@@ -103,6 +127,8 @@ def _as_json(comparison: Comparison) -> dict[str, Any]:
                 "method": result.method,
                 "about": METHODS[result.method].about,
                 "failure": result.failure,
+                "outcome": result.kind,
+                "doubts": result.doubts,
                 "values": result.values,
                 "error_by_vertices": result.curve,
                 "valence_shares": result.valence_shares,

@@ -58,8 +58,9 @@ def judge(comparison: Comparison) -> Verdict:
     if comparison.failure:
         return Verdict("", comparison.failure)
     meshes = [result for result in comparison.results if not result.failure]
+    late = _given_up(comparison)
     if not meshes:
-        return Verdict("", "No method gave a mesh.")
+        return Verdict("", "No method gave a mesh.", late)
     on_data = [result for result in meshes if is_sound(result) and lies_on_data(result)]
     closed = [result for result in on_data if is_closed(result)]
     candidates = closed or on_data or [r for r in meshes if is_sound(r)] or meshes
@@ -72,13 +73,28 @@ def judge(comparison: Comparison) -> Verdict:
     else:
         opening, kind = f"No mesh is both sound and on the data. Try {best.name}", "meshes"
     rank = _rank(best, candidates, kind)
-    sentence = f"{opening}, {_figures(best, comparison)}: {rank}."
-    return Verdict(best.method, sentence, _more(best, candidates, meshes, comparison))
+    sentence = f"{opening}, {_figures(best)}: {rank}."
+    more = [_more(best, candidates, meshes), _doubted(best), late]
+    return Verdict(best.method, sentence, " ".join(filter(None, more)))
+
+
+def _doubted(best: Result) -> str:
+    return f"Look at it before you trust it: {best.doubts}" if best.doubts else ""
+
+
+def _given_up(comparison: Comparison) -> str:
+    """Name the methods that did not end in time: what they would have made is not known."""
+    late = [result.name for result in comparison.results if result.kind == "timed out"]
+    if not late:
+        return ""
+    names = " and ".join([", ".join(late[:-1]), late[-1]] if late[1:] else late)
+    text = f"{names} timed out: a longer --timeout may change the answer."
+    return text[0].upper() + text[1:]
 
 
 def _best(candidates: list[Result]) -> Result:
-    least = min(result.values["rms"] for result in candidates)
-    near = [result for result in candidates if result.values["rms"] <= SAME_ERROR * least]
+    least = min(result.values["rms_percent"] for result in candidates)
+    near = [result for result in candidates if result.values["rms_percent"] <= SAME_ERROR * least]
     return min(near, key=lambda result: float(result.values["seconds"]))
 
 
@@ -87,26 +103,26 @@ def _rank(best: Result, candidates: list[Result], kind: str) -> str:
     others = [result for result in candidates if result is not best]
     if not others:
         return f"there are no other {kind}"
-    next_best = min(others, key=lambda result: float(result.values["rms"]))
-    if best.values["rms"] == 0 < next_best.values["rms"]:
+    next_best = min(others, key=lambda result: float(result.values["rms_percent"]))
+    if best.values["rms_percent"] == 0 < next_best.values["rms_percent"]:
         return f"without error, alone of the {kind}"
-    times = next_best.values["rms"] / best.values["rms"] if best.values["rms"] else 1.0
+    times = (
+        next_best.values["rms_percent"] / best.values["rms_percent"]
+        if best.values["rms_percent"]
+        else 1.0
+    )
     if times > SAME_ERROR:
         return f"the least error of the {kind}; {next_best.name} has {times:.2g} times as much"
     speed = next_best.values["seconds"] / best.values["seconds"]
     return f"as accurate as {next_best.name} and {speed:.2g} times as fast"
 
 
-def _figures(result: Result, comparison: Comparison) -> str:
-    assert comparison.cloud is not None  # a comparison without failure has one
-    percent = 100 * result.values["rms"] / comparison.cloud.diagonal
+def _figures(result: Result) -> str:
     seconds = result.values["seconds"]
-    return f"RMS error {percent:.2g} % of the diagonal, {seconds:.1f} s"
+    return f"RMS error {result.values['rms_percent']:.2g} % of the diagonal, {seconds:.1f} s"
 
 
-def _more(
-    best: Result, candidates: list[Result], meshes: list[Result], comparison: Comparison
-) -> str:
+def _more(best: Result, candidates: list[Result], meshes: list[Result]) -> str:
     """What speaks for another one: a need for a closed mesh, or for speed."""
     if not is_closed(best):
         closed = [result for result in meshes if is_sound(result) and is_closed(result)]
@@ -115,13 +131,13 @@ def _more(
         other = _best(closed)
         away = other.values["far_from_points"]
         return (
-            f"If it must be closed, use {other.name} ({_figures(other, comparison)}): "
+            f"If it must be closed, use {other.name} ({_figures(other)}): "
             f"{away:.0f} % of its surface is made up where there are no points."
         )
     faster = [r for r in candidates if r.values["seconds"] < best.values["seconds"] / 2]
     if faster:
         other = _best(faster)
         times = best.values["seconds"] / other.values["seconds"]
-        figures = _figures(other, comparison)
+        figures = _figures(other)
         return f"If time matters, {other.name} is {times:.0f} times as fast ({figures})."
     return ""

@@ -81,7 +81,9 @@ _OF_NETWORK = {
             ("shareOfOpenSurface", "0.1", "0.4", "share of the area"),
         ],
     ),
-    **swept("core/network/sample_locator.cpp", WALLS, [("sheetDistance", "0.4", "1.6", "mean edges")]),
+    **swept(
+        "core/network/sample_locator.cpp", WALLS, [("sheetDistance", "0.4", "1.6", "mean edges")]
+    ),
     **fixed(
         "core/network/sample_locator.cpp",
         [

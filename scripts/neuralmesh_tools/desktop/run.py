@@ -25,10 +25,10 @@ sys.path.insert(0, str(TESTS))
 
 import scene  # noqa: E402 # the tests' own names and numbers
 
-SCRIPT = """<!DOCTYPE FilterScript>
+SCRIPT = f"""<!DOCTYPE FilterScript>
 <FilterScript>
  <filter name="Delete Current Mesh"/>
- <filter name="Neural Mesh Reconstruction"/>
+ <filter name="{scene.OLD_NAME}"/>
 </FilterScript>
 """
 

@@ -45,6 +45,7 @@ class Parameters:
     smoothing_passes: int
     signals_per_split: int
     inactivity_factor: int
+    threads: int
     counter_decay: float
     split_rule: SplitRule
     edge_flips: bool

@@ -27,7 +27,14 @@ CHOICES: dict[str, dict[str, Any]] = {
         "data": _core.StartMesh.from_data,
     },
 }
-COUNTS = ("vertices", "smoothing_passes", "signals_per_split", "inactivity_factor", "random_seed")
+COUNTS = (
+    "vertices",
+    "threads",
+    "smoothing_passes",
+    "signals_per_split",
+    "inactivity_factor",
+    "random_seed",
+)
 NUMBERS = ("winner_rate", "smoothing_rate", "counter_decay")
 SWITCHES = ("surface_fit", "edge_flips", "transfer_attributes", "density_from_quality")
 NAMES = ("vertices", *CHOICES, "max_hole_size", "snapshots", *COUNTS[1:], *NUMBERS, *SWITCHES)

@@ -25,6 +25,7 @@ Further parameters of the filter:
   --transfer-attributes yes|no   the points' colours onto the mesh (yes)
   --edge-flips yes|no            flips that even out valences (yes)
   --split-rule balanced|paper    how a vertex is split (balanced)
+  --threads N                    cores that share the work; 0 takes all (0)
   --winner-rate, --smoothing-rate, --smoothing-passes, --signals-per-split,
   --inactivity-factor, --counter-decay
                                  the paper's constants: 0.06, 0.05, 5, 100, 12, 0.995
@@ -35,6 +36,7 @@ HIDDEN = (
     "transfer_attributes",
     "edge_flips",
     "split_rule",
+    "threads",
     "winner_rate",
     "smoothing_rate",
     "smoothing_passes",
