@@ -139,7 +139,8 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
     growthParameters.validate();
     const neuralmesh::Progress progress = throttledProgress(callback);
     const TargetSpace target = makeTarget(part(progress, 0, shareOfOpening));
-    growthParameters.maxHoleSize /= target.sampler->frame().diagonal();
+    growthParameters.maxHoleSize =
+        holeSizeInFrame(parameters, document, target.sampler->frame().diagonal());
 
     Reconstruction result;
     result.seed = growthParameters.seed;

@@ -12,15 +12,16 @@ namespace {
 using neuralmesh::InvalidInput;
 
 /// Empty where no outliers were found.
-std::string outlierRemark(double share)
+std::string outlierRemark(const neuralmesh::Outliers &outliers)
 {
-    if (share <= 0)
+    if (outliers.count == 0)
         return {};
-    char line[128];
-    std::snprintf(line, sizeof line,
-                  "About %.1f %% of the points stand alone and were taken for outliers.",
-                  100 * share);
-    return line;
+    const bool isOne = outliers.count == 1;
+    char share[32];
+    std::snprintf(share, sizeof share, "%.2g", 100 * outliers.share);
+    return (outliers.isEstimate ? "About " : "") + std::to_string(outliers.count) +
+           (isOne ? " isolated point, " : " isolated points, ") + share + " % of the cloud, " +
+           (isOne ? "is ignored." : "are ignored.");
 }
 
 /// The points of several layers, with a density for each where one is asked for.
@@ -42,7 +43,7 @@ public:
     TargetSpace targetSpace(const QString &name)
     {
         auto sampler = neuralmesh::pointCloudSampler(points_, qualities_);
-        const std::string remark = outlierRemark(sampler->outlierShare());
+        const std::string remark = outlierRemark(sampler->outliers());
         return {std::move(sampler), name, remark, {layers_, false}};
     }
 
@@ -101,7 +102,7 @@ TargetSpace pointFile(const QString &path, bool withDensity, const neuralmesh::P
         throw InvalidInput("DensityFromQuality is for layers: a point file has no vertex quality.");
     const std::string encoded = QFile::encodeName(path).toStdString();
     auto sampler = neuralmesh::pointFileSampler(encoded, progress);
-    const std::string remark = outlierRemark(sampler->outlierShare());
+    const std::string remark = outlierRemark(sampler->outliers());
     const QString name = QFileInfo(path).completeBaseName();
     return {std::move(sampler),
             withoutDots(name.isEmpty() ? QFileInfo(path).fileName() : name),
