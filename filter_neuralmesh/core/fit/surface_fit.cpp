@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/fit/boundary_reach.h"
+#include "core/fit/few_points.h"
 #include "core/fit/intersection_repair.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/edge_lengths.h"
@@ -16,6 +17,7 @@
 #include "core/mesh/vertex_data.h"
 #include "core/network/star_projection.h"
 #include "core/space/morton_order.h"
+#include "core/space/plain_points.h"
 #include "core/space/point_statistics.h"
 
 namespace neuralmesh {
@@ -173,9 +175,10 @@ private:
     {
         VertexData<Point3> before(mesh_);
         VertexData<Point3> moved(mesh_);
+        const Box3 bounds = toVcg(sampler_.bounds());
         forEachVertex(mesh_, [&](VertexId v) {
             before[v] = mesh_.position(v);
-            moved[v] = mesh_.position(v) + displacement(v) * step;
+            moved[v] = nearBounds(mesh_.position(v) + displacement(v) * step, bounds);
         });
         forEachVertex(mesh_, [&](VertexId v) { network_.moveVertex(v, moved[v]); });
         reach_.follow(before);
@@ -340,6 +343,8 @@ private:
 int fitSurface(GrowingNetwork &network, const Sampler &sampler, Random &random,
                const Progress &progress)
 {
+    if (interpolatePoints(network, sampler, random))
+        return network.findSelfIntersections().faces;
     SurfaceFit fit(network, sampler, random);
     Scalar done = 0;
     for (const Scalar step : steps) {
