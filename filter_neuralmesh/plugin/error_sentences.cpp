@@ -46,8 +46,14 @@ std::string aboutRange(const EmptyRange &error)
 {
     const std::string name(1, static_cast<char>(std::toupper(error.variable())));
     const bool isCoordinate = error.variable() >= 'x';
+    if (error.isInfinite())
+        return "min" + name + " and max" + name +
+               " must be finite, and so must their difference; numbers of more than about 10^38 "
+               "are "
+               "none for the host.";
     return (isCoordinate ? "The box is empty: min" : "The range of " + name + " is empty: min") +
-           name + " must be below max" + name + ".";
+           name + " must be below max" + name +
+           ", by more than the seven digits that the host keeps.";
 }
 
 /// With the way to convert the file that users of MeshLab have at hand.

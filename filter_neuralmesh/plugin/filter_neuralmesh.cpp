@@ -111,13 +111,15 @@ std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *act
                                    return makeTargetSpace(parameters, document, opening);
                                });
         case FromImplicitSurface:
-            return reconstruct(parameters, document, callback, [&](const neuralmesh::Progress &) {
-                return makeImplicitSurface(parameters);
-            });
+            return reconstruct(parameters, document, callback,
+                               [&](const neuralmesh::Progress &opening) {
+                                   return makeImplicitSurface(parameters, opening);
+                               });
         case FromParametricSurface:
-            return reconstruct(parameters, document, callback, [&](const neuralmesh::Progress &) {
-                return makeParametricSurface(parameters);
-            });
+            return reconstruct(parameters, document, callback,
+                               [&](const neuralmesh::Progress &opening) {
+                                   return makeParametricSurface(parameters, opening);
+                               });
         default: wrongActionCalled(action); return {};
         }
     } catch (const neuralmesh::InvalidInput &error) {

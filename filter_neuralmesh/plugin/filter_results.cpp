@@ -132,8 +132,9 @@ std::string summary(const Reconstruction &reconstruction)
                   static_cast<double>(reconstruction.seed), reconstruction.seconds);
     std::string text = figures;
     if (report.keptIdle)
-        text += " To reach TargetVertNum, vertices were kept that are nearest to no sample. Either "
-                "the target is close to the number of points, or InactivityFactor or "
-                "SignalsPerSplit is too low.";
+        text +=
+            " To reach TargetVertNum, vertices were kept that are nearest to no sample. That is "
+            "no harm by itself; it happens where TargetVertNum is close to the number of points, "
+            "and where InactivityFactor or SignalsPerSplit is low.";
     return text + topology(report) + warnings(report);
 }

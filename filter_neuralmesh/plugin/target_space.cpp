@@ -133,25 +133,27 @@ TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocum
                        ".");
 }
 
-TargetSpace makeImplicitSurface(const RichParameterList &parameters)
+TargetSpace makeImplicitSurface(const RichParameterList &parameters,
+                                const neuralmesh::Progress &progress)
 {
     const neuralmesh::Box box{
         {parameters.getFloat("minX"), parameters.getFloat("minY"), parameters.getFloat("minZ")},
         {parameters.getFloat("maxX"), parameters.getFloat("maxY"), parameters.getFloat("maxZ")}};
-    return {neuralmesh::implicitSurfaceSampler(formula(parameters, "expr"), box),
+    return {neuralmesh::implicitSurfaceSampler(formula(parameters, "expr"), box, progress),
             "implicit surface",
             {},
             {}};
 }
 
-TargetSpace makeParametricSurface(const RichParameterList &parameters)
+TargetSpace makeParametricSurface(const RichParameterList &parameters,
+                                  const neuralmesh::Progress &progress)
 {
     const neuralmesh::Range u{parameters.getFloat("minU"), parameters.getFloat("maxU")};
     const neuralmesh::Range v{parameters.getFloat("minV"), parameters.getFloat("maxV")};
-    return {
-        neuralmesh::parametricSurfaceSampler(
-            {formula(parameters, "x"), formula(parameters, "y"), formula(parameters, "z")}, u, v),
-        "parametric surface",
-        {},
-        {}};
+    return {neuralmesh::parametricSurfaceSampler(
+                {formula(parameters, "x"), formula(parameters, "y"), formula(parameters, "z")}, u,
+                v, progress),
+            "parametric surface",
+            {},
+            {}};
 }

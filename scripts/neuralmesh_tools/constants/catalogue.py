@@ -231,6 +231,13 @@ _OF_FIT = {
             ("bulge", "diagonals", "a promise; meshes of more than a few dozen vertices keep it"),
         ],
     ),
+    **fixed(
+        "core/parameters.cpp",
+        [
+            ("mostSmoothingPasses", "passes", "what is refused follows from it, no mesh"),
+            ("mostSignalsPerSplit", "signals", "what is refused follows from it, no mesh"),
+        ],
+    ),
     **fixed(_FIT, [("rounding", "diagonals", "rounding of double, 1e-16, times a margin")]),
     **swept(
         "core/fit/intersection_repair.cpp",

@@ -80,11 +80,17 @@ OF_SAMPLERS: dict[Key, Entry] = {
         [
             ("nodesAlong", "nodes", "follows from cellsAlong"),
             ("mostTries", "places", "giving up follows from it, no mesh"),
+            ("pilotPlaces", "places", "giving up follows from it, no mesh"),
+            ("leastKept", "share of the places", "giving up follows from it, no mesh"),
         ],
     ),
     **fixed(
         "samplers/surfaces/implicit_sampler.cpp",
-        [("mostLines", "times the lines", "giving up follows from it, no mesh")],
+        [
+            ("mostLines", "times the lines", "giving up follows from it, no mesh"),
+            ("leastHit", "share of the lines", "giving up follows from it, no mesh"),
+            ("linesPerReport", "lines", "no mesh follows from it"),
+        ],
     ),
 }
 

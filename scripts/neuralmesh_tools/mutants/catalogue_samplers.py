@@ -126,4 +126,20 @@ SAMPLERS: tuple[Mutant, ...] = (
         "        if (true)\n            worldBounds.Add",
         ("OutlierFilter.leaves_the_frame_to_the_others_however_far_it_is",),
     ),
+    Mutant(
+        "rare-surfaces-are-sampled",
+        "a surface that next to no line meets is refused at once",
+        "samplers/surfaces/implicit_sampler.cpp",
+        "constexpr double leastHit = 1e-3;",
+        "constexpr double leastHit = 0;",
+        ("ImplicitSampler.refuses_at_once_a_surface_that_next_to_no_line_meets",),
+    ),
+    Mutant(
+        "jumps-are-sampled",
+        "a surface of which next to no place is kept is refused at once",
+        "samplers/surfaces/parametric_sampler.cpp",
+        "    requireKept();\n",
+        "",
+        ("ParametricSampler.refuses_what_is_no_surface",),
+    ),
 )
