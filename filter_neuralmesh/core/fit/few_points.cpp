@@ -54,13 +54,14 @@ bool interpolatePoints(GrowingNetwork &network, const Sampler &sampler, Random &
     return true;
 }
 
-Point3 nearBounds(const Point3 &position, const Box3 &bounds)
+Point3 movedNearBounds(const Point3 &from, const Point3 &move, const Box3 &bounds)
 {
+    if (move == Point3(0, 0, 0))
+        return from;
     const Scalar margin = bulge * bounds.Diag();
-    Point3 place;
+    Point3 place = from + move;
     for (int axis = 0; axis < 3; ++axis)
-        place[axis] =
-            std::clamp(position[axis], bounds.min[axis] - margin, bounds.max[axis] + margin);
+        place[axis] = std::clamp(place[axis], bounds.min[axis] - margin, bounds.max[axis] + margin);
     return place;
 }
 

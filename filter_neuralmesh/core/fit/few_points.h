@@ -12,8 +12,9 @@ namespace neuralmesh {
 /// point of its own, the nearest first. Returns whether it did.
 bool interpolatePoints(GrowingNetwork &network, const Sampler &sampler, Random &random);
 
-/// The place next to `position` in the bounds of the samples, or so little outside as the vertices
-/// of a curved surface are.
-Point3 nearBounds(const Point3 &position, const Box3 &bounds);
+/// The place that a vertex is moved to from where it is, in the bounds of the samples or so little
+/// outside as the vertices of a curved surface are. One that is not moved, as no sample reaches it,
+/// stays wherever it is.
+Point3 movedNearBounds(const Point3 &from, const Point3 &move, const Box3 &bounds);
 
 } // namespace neuralmesh

@@ -178,7 +178,7 @@ private:
         const Box3 bounds = toVcg(sampler_.bounds());
         forEachVertex(mesh_, [&](VertexId v) {
             before[v] = mesh_.position(v);
-            moved[v] = nearBounds(mesh_.position(v) + displacement(v) * step, bounds);
+            moved[v] = movedNearBounds(before[v], displacement(v) * step, bounds);
         });
         forEachVertex(mesh_, [&](VertexId v) { network_.moveVertex(v, moved[v]); });
         reach_.follow(before);

@@ -72,12 +72,13 @@ TEST(Outward, the_wall_of_a_cavity_looks_into_it)
 TEST(Outward, a_mesh_far_from_the_origin_is_as_one_near_it)
 {
     // Its volume is 1e-20 of the terms that a sum about the origin has.
-    for (const bool isTurned : {false, true}) {
-        NeuralMesh mesh;
-        makeOctahedra(mesh, {{{1e6, -2e6, 3e6}, 0.1, isTurned}});
-        orientOutwards(mesh);
-        EXPECT_NEAR(signedVolume(mesh), 0.004 / 3, 1e-9);
-    }
+    for (int place = 1; place <= 10; ++place)
+        for (const bool isTurned : {false, true}) {
+            NeuralMesh mesh;
+            makeOctahedra(mesh, {{{1e6 / place, -2.3e6 * place, 3.1e6}, 0.1, isTurned}});
+            orientOutwards(mesh);
+            EXPECT_NEAR(signedVolume(mesh), 0.004 / 3, 1e-9);
+        }
 }
 
 TEST(Outward, an_open_component_keeps_its_way_round)

@@ -185,19 +185,40 @@ TEST(OutlierFilter, finds_a_place_that_is_stored_a_thousand_times)
     EXPECT_EQ(PointCloudSampler(points).outliers().count, 20000U);
 }
 
+/// A sphere of 5,000 points with 500 more, as many at each distance from its centre in the range.
+std::vector<Point3> sphereWithStrays(double nearest, double furthest, double power, Random &random)
+{
+    std::vector<Point3> points = test::spherePoints(5000, 1);
+    for (int i = 0; i < 500; ++i) {
+        Point3 direction = test::inUnitCube(random) - Point3(.5, .5, .5);
+        const double distance = nearest + (furthest - nearest) * std::pow(random.unit(), 1 / power);
+        points.push_back(direction.Normalize() * distance);
+    }
+    return points;
+}
+
 TEST(OutlierFilter, chance_clusters_of_strays_are_no_part)
 {
-    // So many next to a sphere that some have eight others around; none is part of the surface.
-    std::vector<Point3> points = test::spherePoints(5000, 1);
+    // So many next to the sphere that some have eight others around; none is part of the surface.
     Random random(4);
-    while (points.size() < 5500) {
-        const Point3 stray = (test::inUnitCube(random) - Point3(.5, .5, .5)) * 3;
-        if (stray.Norm() > 1.25 && stray.Norm() < 1.5)
-            points.push_back(stray);
+    for (int round = 0; round < 10; ++round) {
+        const std::vector<Point3> points = sphereWithStrays(1.25, 1.5, 1, random);
+        const OutlierFilter filter(points);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            EXPECT_EQ(filter.isOutlier(points[i]), i >= 5000) << i;
     }
-    const OutlierFilter filter(points);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        EXPECT_EQ(filter.isOutlier(points[i]), i >= 5000) << i;
+}
+
+TEST(OutlierFilter, strays_in_a_plane_by_chance_are_no_part)
+{
+    // Uniform in a ball: one in ten has its neighbours in a plane.
+    Random random(5);
+    for (int round = 0; round < 5; ++round) {
+        const std::vector<Point3> points = sphereWithStrays(1.5, 10, 3, random);
+        const OutlierFilter filter(points);
+        for (std::size_t i = 5000; i < points.size(); ++i)
+            EXPECT_TRUE(filter.isOutlier(points[i])) << i;
+    }
 }
 
 /// Points of a floor, one by one.
@@ -241,8 +262,10 @@ TEST(OutlierFilter, keeps_sparse_returns_of_the_same_ground_among_strays)
 TEST(OutlierFilter, keeps_a_wire_far_above_a_floor)
 {
     std::vector<Point3> points = floorOf(10000, 10);
+    Random random(7);
     for (int i = 0; i < 120; ++i) // a spacing of 0.2, on a floor of 0.1
-        points.emplace_back(0.2 * i - 7, 3 + 0.01 * i, 6 + 0.0005 * i * i);
+        points.push_back(Point3(0.2 * i - 7, 3, 6 + 0.0005 * i * i) +
+                         test::inUnitCube(random) * 0.05);
     EXPECT_EQ(outliersAfter(0, points), 0U);
 }
 

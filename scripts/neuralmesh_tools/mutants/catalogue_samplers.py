@@ -60,7 +60,7 @@ SAMPLERS: tuple[Mutant, ...] = (
         "samplers/points/sparse_parts.cpp",
         "are = majorities(majorities(are, neighbours), neighbours);",
         "",
-        ("OutlierFilter.finds_few_strays_at_any_distance",),
+        ("OutlierFilter.strays_in_a_plane_by_chance_are_no_part",),
     ),
     Mutant(
         "wires-are-strays",
