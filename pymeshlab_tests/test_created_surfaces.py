@@ -107,6 +107,16 @@ def test_parameters_are_those_of_the_reconstruction_but_for_what_is_sampled() ->
     assert set(document.filter_parameter_values(PARAMETRIC)) == common | set("xyz") | ranges
 
 
+NO_SURFACE = (
+    "No surface was found in the box: expr passes through zero nowhere that a grid of some 64 x 64 "
+    "x 64 cubes shows. If the surface is smaller than a cube, make the box fit it."
+)
+DIGITS = ", by more than the seven digits that the host keeps."
+FINITE = (
+    "min{0} and max{0} must be finite, and so must their difference; numbers of more than about "
+    "10^38 are none for the host."
+)
+
 IMPLICIT_CASES = [
     (
         {"expr": "x*x + y*y + w"},
@@ -117,18 +127,23 @@ IMPLICIT_CASES = [
     ({"expr": "x, y"}, "expr must be one expression, not 2 separated by commas."),
     (
         {"expr": "x*x + y*y + z*z + 1"},
-        "There is no surface in the box: expr changes its sign nowhere in it.",
+        NO_SURFACE,
     ),
     (
         {"minx": 1, "maxx": 2},
-        "There is no surface in the box: expr changes its sign nowhere in it.",
+        NO_SURFACE,
     ),
     (
         {"expr": "log(x) + y + z"},
         "expr is not finite at (-1, -1, -1), which is in the box.",
     ),
-    ({"miny": 1, "maxy": 1}, "The box is empty: miny must be below maxy."),
-    ({"maxz": np.nan}, "The box is empty: minz must be below maxz."),
+    ({"miny": 1, "maxy": 1}, f"The box is empty: miny must be below maxy{DIGITS}"),
+    (
+        {"minx": 1, "maxx": 1.0000000001},
+        f"The box is empty: minx must be below maxx{DIGITS}",
+    ),
+    ({"maxz": np.nan}, FINITE.format("z")),
+    ({"minz": -1e100, "maxz": 1e100}, FINITE.format("z")),
     (
         {"expr": "x + y", "topology": 0},
         "All points lie on a plane: a closed surface cannot be fitted to them. Use topology=1, "
@@ -141,8 +156,8 @@ PARAMETRIC_CASES = [
     ({"y": "u +* v"}, 'y does not parse: Unexpected operator "*" found at position 3.'),
     ({"z": ""}, "z is empty."),
     ({"x": "1/u"}, "x is not finite at u = 0, v = 0."),
-    ({"minu": 1, "maxu": 0}, "The range of U is empty: minu must be below maxu."),
-    ({"maxv": np.inf}, "The range of V is empty: minv must be below maxv."),
+    ({"minu": 1, "maxu": 0}, f"The range of U is empty: minu must be below maxu{DIGITS}"),
+    ({"maxv": np.inf}, FINITE.format("v")),
     (
         {"x": "1", "y": "2", "z": "3"},
         "All points lie in one place: there is no surface to reconstruct.",

@@ -10,13 +10,14 @@
     benchmark.py --file                           time and memory on a file of 100,000,000 points
     benchmark.py --topology                       handles, parts and borders, and which are missed
     benchmark.py --topology --rows torus,tube --conditions clean,sparse --seeds 1,2
+    benchmark.py --strays                         whether a few points far off change a mesh
     benchmark.py --quality --summary              an overview, and whether the bounds are kept
     benchmark.py --quality --models bunny --ours splitrule=1 --ours smoothingpasses=3
                                                   more rows of ours, with other parameters
 
 Peers' rows do not depend on our code: they are measured once and kept in the cache; --fresh
 measures them again. Exit codes: 0 done, 1 a row of ours failed, a bar of --topology
-is missed or the plugin is missing, 2 usage.
+or --strays is missed or the plugin is missing, 2 usage.
 """
 
 import sys

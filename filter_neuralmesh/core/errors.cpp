@@ -33,6 +33,8 @@ std::string sentenceAbout(Parameter parameter, InvalidParameter::Problem problem
                                     ? name + " names " + figure(value) + " vertices"
                                     : name + " is " + figure(value);
     switch (problem) {
+    case Problem::aboveMost:
+        return name + " must be at most " + bound + ", not " + figure(value) + ".";
     case Problem::repeated: return counted + " twice.";
     case Problem::notAscending: return counted + " after more of them.";
     case Problem::aboveTarget:

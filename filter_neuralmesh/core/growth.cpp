@@ -9,7 +9,7 @@
 #include "core/fit/surface_fit.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/edge_lengths.h"
-#include "core/mesh/mesh_checks.h"
+#include "core/mesh/outward.h"
 #include "core/mesh/ring_topology.h"
 #include "core/network/census.h"
 #include "core/network/growing_network.h"
@@ -63,11 +63,10 @@ constexpr double leastGain = 0.05;
 /// constants, n·μ·5/λ = n splits).
 constexpr int stagnationPeriods = 5;
 
-/// Its outside outwards, with faces. An open mesh has no outside: it keeps its orientation.
+/// Its outside outwards, with faces.
 void finishMesh(NeuralMesh &mesh)
 {
-    if (isClosed(mesh) && signedVolume(mesh) < 0)
-        reverseOrientation(mesh);
+    orientOutwards(mesh);
     rebuildFaces(mesh);
 }
 

@@ -8,6 +8,11 @@ namespace {
 
 using Problem = InvalidParameter::Problem;
 
+/// Twenty and a hundred times the paper's: time is in proportion to both, and nothing is gained
+/// from there on.
+constexpr int mostSmoothingPasses = 100;
+constexpr int mostSignalsPerSplit = 10000;
+
 void requireRate(Parameter parameter, double value)
 {
     // Written so that NaN is refused too.
@@ -19,6 +24,12 @@ void requireAtLeast(Parameter parameter, int value, int least)
 {
     if (value < least)
         throw InvalidParameter(parameter, Problem::belowLeast, value, least);
+}
+
+void requireAtMost(Parameter parameter, int value, int most)
+{
+    if (value > most)
+        throw InvalidParameter(parameter, Problem::aboveMost, value, most);
 }
 
 void requireSnapshots(const std::vector<int> &counts, int target)
@@ -44,7 +55,9 @@ void GrowthParameters::validate() const
     requireRate(Parameter::winnerRate, winnerRate);
     requireRate(Parameter::smoothingRate, smoothingRate);
     requireAtLeast(Parameter::smoothingPasses, smoothingPasses, 1);
+    requireAtMost(Parameter::smoothingPasses, smoothingPasses, mostSmoothingPasses);
     requireAtLeast(Parameter::signalsPerSplit, signalsPerSplit, 1);
+    requireAtMost(Parameter::signalsPerSplit, signalsPerSplit, mostSignalsPerSplit);
     requireAtLeast(Parameter::inactivityFactor, inactivityFactor, 1);
     requireAtLeast(Parameter::threads, threads, 0);
     requireRate(Parameter::counterDecay, counterDecay);

@@ -44,6 +44,8 @@ const neuralmesh::HostTerms &filterTerms()
         fieldOfRange,
         chosen("Topology", 1, "Learned from the data"),
         chosen("Boundaries", 1, "Open"),
+        "; numbers of more than about 10^38 are none for the host",
+        ", by more than the seven digits that the host keeps",
         ": open it in MeshLab and export it with binary encoding.",
         ": open it in MeshLab and export it as PLY with binary encoding."};
     return terms;

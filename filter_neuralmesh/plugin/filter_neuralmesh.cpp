@@ -122,13 +122,15 @@ std::map<std::string, QVariant> FilterNeuralMesh::applyFilter(const QAction *act
                                    return makeTargetSpace(parameters, document, opening);
                                });
         case FromImplicitSurface:
-            return reconstruct(parameters, document, callback, [&](const neuralmesh::Progress &) {
-                return makeImplicitSurface(parameters);
-            });
+            return reconstruct(parameters, document, callback,
+                               [&](const neuralmesh::Progress &opening) {
+                                   return makeImplicitSurface(parameters, opening);
+                               });
         case FromParametricSurface:
-            return reconstruct(parameters, document, callback, [&](const neuralmesh::Progress &) {
-                return makeParametricSurface(parameters);
-            });
+            return reconstruct(parameters, document, callback,
+                               [&](const neuralmesh::Progress &opening) {
+                                   return makeParametricSurface(parameters, opening);
+                               });
         default: wrongActionCalled(action); return {};
         }
     } catch (const neuralmesh::InvalidInput &error) {
@@ -152,7 +154,8 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
     const neuralmesh::Progress progress = throttledProgress(callback);
     const TargetSpace target =
         makeTarget(neuralmesh::part(progress, 0, neuralmesh::shareOfOpening));
-    growthParameters.maxHoleSize /= target.sampler->frame().diagonal();
+    growthParameters.maxHoleSize =
+        holeSizeInFrame(parameters, document, target.sampler->frame().diagonal());
 
     neuralmesh::Reconstruction result;
     result.seed = growthParameters.seed;

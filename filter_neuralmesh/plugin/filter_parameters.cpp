@@ -112,6 +112,23 @@ void addCommonParameters(RichParameterList &list)
                           "it."));
 }
 
+/// Of a length that the host makes of a percentage, which may be of single precision.
+constexpr Scalarm roundingOfHost = static_cast<Scalarm>(1e-6);
+
+/// Of the document's bounding box: what percentages are of in the host.
+Scalarm diagonalOf(const MeshDocument &document)
+{
+    const Box3m box = document.bbox();
+    // Points that are not finite are refused later, in words of their own.
+    return !box.IsNull() && std::isfinite(box.Diag()) ? box.Diag() : 1;
+}
+
+Scalarm defaultHoleSize(const MeshDocument &document)
+{
+    const neuralmesh::GrowthParameters d;
+    return static_cast<Scalarm>(d.maxHoleSize) * diagonalOf(document);
+}
+
 void addTopologyParameters(RichParameterList &list, const MeshDocument &document)
 {
     const neuralmesh::GrowthParameters d;
@@ -125,11 +142,8 @@ void addTopologyParameters(RichParameterList &list, const MeshDocument &document
                            "With a learned topology: closed is watertight, holes in the data are "
                            "filled, and an open sheet becomes two back to back; open has no "
                            "surface where there are no points."));
-    const Box3m box = document.bbox();
-    // Points that are not finite are refused later, in words of their own.
-    const Scalarm diagonal = !box.IsNull() && std::isfinite(box.Diag()) ? box.Diag() : 1;
-    list.addParam(RichPercentage("MaxHoleSize", static_cast<Scalarm>(d.maxHoleSize) * diagonal, 0,
-                                 diagonal, "Maximal hole size",
+    list.addParam(RichPercentage("MaxHoleSize", defaultHoleSize(document), 0, diagonalOf(document),
+                                 "Maximal hole size",
                                  "With open boundaries: smaller gaps in the data are closed. In "
                                  "per cent of the diagonal of the document's bounding box."));
 }
@@ -265,4 +279,15 @@ neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &param
     growth.snapshots = readSnapshots(parameters);
     growth.seed = readSeed(parameters);
     return growth;
+}
+
+double holeSizeInFrame(const RichParameterList &parameters, const MeshDocument &document,
+                       double diagonal)
+{
+    const Scalarm size = parameters.getAbsPerc("MaxHoleSize");
+    const Scalarm usual = defaultHoleSize(document);
+    const bool isDefault = std::abs(size - usual) <= roundingOfHost * usual;
+    if (isDefault || size > diagonal)
+        return size / diagonalOf(document);
+    return size / diagonal;
 }

@@ -18,3 +18,10 @@ RichParameterList parametricParameters(const MeshDocument &document);
 /// of 0 becomes a fresh positive seed.
 /// Throws InvalidInput for a negative RandomSeed and for Snapshots that are no list of counts.
 neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &parameters);
+
+/// MaxHoleSize in the unit frame of a target space, whose diagonal is given in the world. The host
+/// turns percentages into lengths by the document's box, which is not that of the target space
+/// where there are strays, more layers, or a point file. So the default, and a length that is
+/// longer than the target space, are taken for the percentage that they are of that box.
+double holeSizeInFrame(const RichParameterList &parameters, const MeshDocument &document,
+                       double diagonal);

@@ -31,7 +31,7 @@ public:
     TargetSpace targetSpace(const QString &name)
     {
         auto sampler = neuralmesh::pointCloudSampler(points_, qualities_);
-        const std::string remark = neuralmesh::outlierRemark(sampler->outlierShare());
+        const std::string remark = neuralmesh::outlierRemark(sampler->outliers());
         return {std::move(sampler), name, remark, {layers_, false}, {}};
     }
 
@@ -114,7 +114,7 @@ TargetSpace pointFile(const QString &path, bool withDensity, const neuralmesh::P
         throw InvalidInput(named("DensityFromQuality") +
                            " is for layers: a point file has no vertex quality.");
     auto sampler = neuralmesh::pointFileSampler(systemName(path), progress);
-    const std::string remark = neuralmesh::outlierRemark(sampler->outlierShare());
+    const std::string remark = neuralmesh::outlierRemark(sampler->outliers());
     const QString name = QFileInfo(path).completeBaseName();
     return {std::move(sampler),
             withoutDots(name.isEmpty() ? QFileInfo(path).fileName() : name),
@@ -170,27 +170,29 @@ TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocum
     return target;
 }
 
-TargetSpace makeImplicitSurface(const RichParameterList &parameters)
+TargetSpace makeImplicitSurface(const RichParameterList &parameters,
+                                const neuralmesh::Progress &progress)
 {
     const neuralmesh::Box box{
         {parameters.getFloat("minX"), parameters.getFloat("minY"), parameters.getFloat("minZ")},
         {parameters.getFloat("maxX"), parameters.getFloat("maxY"), parameters.getFloat("maxZ")}};
-    return {neuralmesh::implicitSurfaceSampler(formula(parameters, "expr"), box),
+    return {neuralmesh::implicitSurfaceSampler(formula(parameters, "expr"), box, progress),
             "implicit surface",
             {},
             {},
             {}};
 }
 
-TargetSpace makeParametricSurface(const RichParameterList &parameters)
+TargetSpace makeParametricSurface(const RichParameterList &parameters,
+                                  const neuralmesh::Progress &progress)
 {
     const neuralmesh::Range u{parameters.getFloat("minU"), parameters.getFloat("maxU")};
     const neuralmesh::Range v{parameters.getFloat("minV"), parameters.getFloat("maxV")};
-    return {
-        neuralmesh::parametricSurfaceSampler(
-            {formula(parameters, "x"), formula(parameters, "y"), formula(parameters, "z")}, u, v),
-        "parametric surface",
-        {},
-        {},
-        {}};
+    return {neuralmesh::parametricSurfaceSampler(
+                {formula(parameters, "x"), formula(parameters, "y"), formula(parameters, "z")}, u,
+                v, progress),
+            "parametric surface",
+            {},
+            {},
+            {}};
 }

@@ -40,5 +40,7 @@ QStringList sourceLabels();
 /// there is nothing to sample, the first also Cancelled, while it reads a file.
 TargetSpace makeTargetSpace(const RichParameterList &parameters, const MeshDocument &document,
                             const neuralmesh::Progress &progress);
-TargetSpace makeImplicitSurface(const RichParameterList &parameters);
-TargetSpace makeParametricSurface(const RichParameterList &parameters);
+TargetSpace makeImplicitSurface(const RichParameterList &parameters,
+                                const neuralmesh::Progress &progress);
+TargetSpace makeParametricSurface(const RichParameterList &parameters,
+                                  const neuralmesh::Progress &progress);

@@ -60,6 +60,14 @@ UnitFrame frameOf(const vcg::Box3d &worldBounds)
     return UnitFrame(toPlain(worldBounds));
 }
 
+void requireRange(char variable, Range range)
+{
+    if (!std::isfinite(range.high - range.low))
+        throw EmptyRange(variable, true);
+    if (!(range.low < range.high))
+        throw EmptyRange(variable);
+}
+
 void requireFourPoints(std::size_t distinct)
 {
     if (distinct < 4)

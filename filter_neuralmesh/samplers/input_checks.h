@@ -32,6 +32,9 @@ void requireFinite(const std::vector<Point> &world);
 /// diagonal is zero or not finite.
 UnitFrame frameOf(const vcg::Box3d &worldBounds);
 
+/// Throws EmptyRange where the range of a variable is empty or not finite.
+void requireRange(char variable, Range range);
+
 /// Throws InvalidInput where there are fewer distinct points than a tetrahedron has.
 void requireFourPoints(std::size_t distinct);
 

@@ -40,10 +40,11 @@ InvalidDensity::InvalidDensity(Problem problem, std::uint64_t count, std::uint64
 {
 }
 
-EmptyRange::EmptyRange(char variable)
+EmptyRange::EmptyRange(char variable, bool isInfinite)
     : InvalidInput(std::string("The range of ") + variable +
-                   " is empty: its lower end must be below its upper end."),
-      variable_(variable)
+                   (isInfinite ? " has an end or a length that is not finite."
+                               : " is empty: its lower end must be below its upper end.")),
+      variable_(variable), isInfinite_(isInfinite)
 {
 }
 

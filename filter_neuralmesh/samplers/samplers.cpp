@@ -44,19 +44,20 @@ std::unique_ptr<Sampler> surfaceSampler(const Mesh &mesh, const std::vector<doub
     return std::make_unique<SurfaceSampler>(mesh.positions, mesh.triangles, density);
 }
 
-std::unique_ptr<Sampler> implicitSurfaceSampler(const Formula &function, const Box &box)
+std::unique_ptr<Sampler> implicitSurfaceSampler(const Formula &function, const Box &box,
+                                                const Progress &progress)
 {
-    return std::make_unique<ImplicitSampler>(expressionOf(function, "xyz"), box);
+    return std::make_unique<ImplicitSampler>(expressionOf(function, "xyz"), box, progress);
 }
 
 std::unique_ptr<Sampler> parametricSurfaceSampler(const std::array<Formula, 3> &coordinates,
-                                                  Range u, Range v)
+                                                  Range u, Range v, const Progress &progress)
 {
     // The first of several that do not parse is named: initialisers in braces come in order.
     std::array<Expression, 3> expressions{expressionOf(coordinates[0], "uv"),
                                           expressionOf(coordinates[1], "uv"),
                                           expressionOf(coordinates[2], "uv")};
-    return std::make_unique<ParametricSampler>(std::move(expressions), u, v);
+    return std::make_unique<ParametricSampler>(std::move(expressions), u, v, progress);
 }
 
 } // namespace neuralmesh

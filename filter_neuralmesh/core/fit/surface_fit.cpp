@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/fit/boundary_reach.h"
+#include "core/fit/few_points.h"
 #include "core/fit/intersection_repair.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/edge_lengths.h"
@@ -19,6 +20,7 @@
 #include "core/parallel/vertex_loops.h"
 #include "core/parallel/vertex_sums.h"
 #include "core/space/morton_order.h"
+#include "core/space/plain_points.h"
 #include "core/space/point_statistics.h"
 
 namespace neuralmesh {
@@ -191,9 +193,10 @@ private:
     {
         VertexData<Point3> before(mesh_);
         VertexData<Point3> moved(mesh_);
+        const Box3 bounds = toVcg(sampler_.bounds());
         forEachVertex(network_.workers(), mesh_, [&](VertexId v) {
             before[v] = mesh_.position(v);
-            moved[v] = mesh_.position(v) + displacement(v) * step;
+            moved[v] = movedNearBounds(before[v], displacement(v) * step, bounds);
         });
         forEachVertex(mesh_, [&](VertexId v) { network_.moveVertex(v, moved[v]); });
         reach_.follow(before);
@@ -360,6 +363,8 @@ private:
 int fitSurface(GrowingNetwork &network, const Sampler &sampler, Random &random,
                const Progress &progress)
 {
+    if (interpolatePoints(network, sampler, random))
+        return network.findSelfIntersections().faces;
     SurfaceFit fit(network, sampler, random);
     Scalar done = 0;
     for (const Scalar step : steps) {

@@ -44,6 +44,23 @@ std::string findDefectAt(const NeuralMesh &mesh, VertexId v)
     return {};
 }
 
+/// Of the tetrahedron of a face and an origin, which is to be near: the terms of a mesh far from it
+/// are larger than their sum by so much that rounding decides its sign.
+double sixfoldVolume(const NeuralMesh &mesh, VertexId v, VertexId a, VertexId b,
+                     const Point3 &origin)
+{
+    return (mesh.position(v) - origin) *
+           ((mesh.position(a) - origin) ^ (mesh.position(b) - origin));
+}
+
+Point3 firstPosition(const NeuralMesh &mesh)
+{
+    for (VertexId v = 0; v < mesh.idBound(); ++v)
+        if (mesh.isLive(v))
+            return mesh.position(v);
+    return {0, 0, 0};
+}
+
 } // namespace
 
 std::string findDefect(const NeuralMesh &mesh)
@@ -123,10 +140,27 @@ std::vector<int> valenceHistogram(const NeuralMesh &mesh)
 double signedVolume(const NeuralMesh &mesh)
 {
     double volume = 0;
+    const Point3 origin = firstPosition(mesh);
     forEachFace(mesh, [&](VertexId v, VertexId a, VertexId b) {
-        volume += mesh.position(v) * (mesh.position(a) ^ mesh.position(b)) / 6;
+        volume += sixfoldVolume(mesh, v, a, b, origin) / 6;
     });
     return volume;
+}
+
+std::vector<double> signedVolumes(const NeuralMesh &mesh, const std::vector<int> &labels)
+{
+    std::vector<double> volumes;
+    std::vector<Point3> origins;
+    forEachVertex(mesh, [&](VertexId v) {
+        if (static_cast<std::size_t>(labels[v]) == origins.size()) // the first of its component
+            origins.push_back(mesh.position(v));
+    });
+    volumes.assign(origins.size(), 0);
+    forEachFace(mesh, [&](VertexId v, VertexId a, VertexId b) {
+        const auto component = static_cast<std::size_t>(labels[v]);
+        volumes[component] += sixfoldVolume(mesh, v, a, b, origins[component]) / 6;
+    });
+    return volumes;
 }
 
 } // namespace neuralmesh

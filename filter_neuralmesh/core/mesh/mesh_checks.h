@@ -36,7 +36,11 @@ TopologyFigures measureTopology(const NeuralMesh &mesh);
 /// Entry k counts the vertices of valence k.
 std::vector<int> valenceHistogram(const NeuralMesh &mesh);
 
-/// Signed volume inside a closed mesh: negative where it is turned inside out.
+/// Signed volume inside a closed mesh: negative where it is turned inside out. Summed about the
+/// mesh itself, wherever it lies.
 double signedVolume(const NeuralMesh &mesh);
+
+/// The same of each component, by the labels of labelComponents().
+std::vector<double> signedVolumes(const NeuralMesh &mesh, const std::vector<int> &labels);
 
 } // namespace neuralmesh

@@ -188,13 +188,17 @@ void rebuildFaces(NeuralMesh &mesh)
 
 void reverseOrientation(NeuralMesh &mesh)
 {
-    for (NeuralVertex &vertex : mesh.vert) {
-        NeighbourRing &ring = vertex.R();
-        for (int i = 0, j = ring.size() - 1; i < j; ++i, --j) {
-            const VertexId swapped = ring[i];
-            ring.set(i, ring[j]);
-            ring.set(j, swapped);
-        }
+    for (VertexId v = 0; v < mesh.idBound(); ++v)
+        reverseRing(mesh, v);
+}
+
+void reverseRing(NeuralMesh &mesh, VertexId v)
+{
+    NeighbourRing &ring = mesh.vert[v].R();
+    for (int i = 0, j = ring.size() - 1; i < j; ++i, --j) {
+        const VertexId swapped = ring[i];
+        ring.set(i, ring[j]);
+        ring.set(j, swapped);
     }
 }
 

@@ -63,4 +63,7 @@ void rebuildFaces(NeuralMesh &mesh);
 /// Turns every ring round: the inside becomes the outside.
 void reverseOrientation(NeuralMesh &mesh);
 
+/// Turns a ring round. Those of a whole component are to be turned.
+void reverseRing(NeuralMesh &mesh, VertexId v);
+
 } // namespace neuralmesh

@@ -29,9 +29,13 @@ std::string aboutRange(const EmptyRange &error, const HostTerms &terms)
 {
     const bool isCoordinate = error.variable() >= 'x';
     const std::string name(1, static_cast<char>(std::toupper(error.variable())));
-    return (isCoordinate ? "The box is empty: " : "The range of " + name + " is empty: ") +
-           terms.rangeEnd(error.variable(), false) + " must be below " +
-           terms.rangeEnd(error.variable(), true) + ".";
+    const std::string low = terms.rangeEnd(error.variable(), false);
+    const std::string high = terms.rangeEnd(error.variable(), true);
+    if (error.isInfinite())
+        return low + " and " + high + " must be finite, and so must their difference" +
+               terms.aboutLargest + ".";
+    return (isCoordinate ? "The box is empty: " : "The range of " + name + " is empty: ") + low +
+           " must be below " + high + terms.aboutDigits + ".";
 }
 
 /// With the way to convert the file that the host's users have at hand.

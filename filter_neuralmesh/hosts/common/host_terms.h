@@ -22,6 +22,9 @@ struct HostTerms {
     std::function<std::string(char variable, bool isUpper)> rangeEnd;
     /// Values of parameters as their users give them, such as "Topology 'Learned from the data'".
     std::string learnedTopology, openBoundaries;
+    /// What the host makes of numbers: the most that is finite, and how close two may be. Each
+    /// starts with a comma or a semicolon, or is empty.
+    std::string aboutLargest, aboutDigits;
     /// How a file that cannot be read in place is converted; each starts with a colon or a dot.
     std::string convertTextPly, convertE57;
 };

@@ -115,22 +115,23 @@ std::string summary(const Reconstruction &reconstruction, const HostTerms &terms
                        std::to_string(reconstruction.seed) + ", " + seconds + ".";
     if (report.keptIdle)
         text += " To reach " + terms.parameter(Parameter::targetVertexCount) +
-                ", vertices were kept that are nearest to no sample. Either the target is close to "
-                "the number of points, or " +
+                ", vertices were kept that are nearest to no sample. That is no harm by itself; it "
+                "happens where the target is close to the number of points, and where " +
                 terms.parameter(Parameter::inactivityFactor) + " or " +
-                terms.parameter(Parameter::signalsPerSplit) + " is too low.";
+                terms.parameter(Parameter::signalsPerSplit) + " is low.";
     return text + topology(report, terms) + warnings(report, terms);
 }
 
-std::string outlierRemark(double share)
+std::string outlierRemark(const Outliers &outliers)
 {
-    if (share <= 0)
+    if (outliers.count == 0)
         return {};
-    char line[128];
-    std::snprintf(line, sizeof line,
-                  "About %.1f %% of the points stand alone and were taken for outliers.",
-                  100 * share);
-    return line;
+    const bool isOne = outliers.count == 1;
+    char share[32];
+    std::snprintf(share, sizeof share, "%.2g", 100 * outliers.share);
+    return (outliers.isEstimate ? "About " : "") + grouped(outliers.count) +
+           (isOne ? " isolated point, " : " isolated points, ") + share + " % of the cloud, " +
+           (isOne ? "is ignored." : "are ignored.");
 }
 
 } // namespace neuralmesh

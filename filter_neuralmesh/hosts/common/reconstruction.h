@@ -48,6 +48,6 @@ template <class Put> void forEachResult(const Reconstruction &reconstruction, co
 std::string summary(const Reconstruction &reconstruction, const HostTerms &terms);
 
 /// A line about the points that were taken for outliers; empty where there were none.
-std::string outlierRemark(double share);
+std::string outlierRemark(const Outliers &outliers);
 
 } // namespace neuralmesh

@@ -50,6 +50,8 @@ HostTerms hostTerms(const TypedNames &names)
             rangeEnd,
             value("topology", "1"),
             value("boundaries", "1"),
+            "",
+            "",
             ": save it as binary PLY.",
             ": save it as binary PLY."};
 }

@@ -179,7 +179,6 @@ void defineReconstruction(nb::module_ &module)
                "progress"_a.none());
     module.def("transfer_attributes", transferAttributes, "points"_a, "faces"_a.none(), "values"_a,
                "mesh_vertices"_a, "mesh_faces"_a);
-    module.def("outlier_remark", outlierRemark, "share"_a);
     module.attr("POINTS_PER_VERTEX") = AttributeTransfer::pointsPerVertex;
 }
 

@@ -11,6 +11,7 @@
 #include "arrays.h"
 #include "callback_sampler.h"
 #include "hosts/common/error_sentences.h"
+#include "hosts/common/reconstruction.h"
 #include "interruptible.h"
 #include "neuralmesh/samplers.h"
 
@@ -120,8 +121,9 @@ void defineTargets(nb::module_ &module)
 {
     nb::class_<Target>(module, "Target", "A target space: what the network learns.")
         .def_ro("diagonal", &Target::diagonal)
-        .def_prop_ro("outlier_share",
-                     [](const Target &target) { return target.sampler->outlierShare(); });
+        .def_prop_ro("outlier_remark", [](const Target &target) {
+            return outlierRemark(target.sampler->outliers());
+        });
     module.def("points_target", pointsTarget, "points"_a.noconvert(), "density"_a.none(), "names"_a,
                "progress"_a.none());
     module.def("file_target", fileTarget, "path"_a, "names"_a, "progress"_a.none());

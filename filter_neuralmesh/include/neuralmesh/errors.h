@@ -59,6 +59,7 @@ class InvalidParameter : public InvalidInput {
 public:
     enum class Problem {
         belowLeast,         ///< less than `limit`
+        aboveMost,          ///< more than `limit`
         noRate,             ///< not between 0 and 1
         repeated,           ///< a snapshot of this count is there already
         notAscending,       ///< a snapshot of this count comes after a larger one

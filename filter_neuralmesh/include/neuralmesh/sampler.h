@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -11,6 +12,13 @@
 #include "neuralmesh/unit_frame.h"
 
 namespace neuralmesh {
+
+/// Points of a target space that were taken for outliers and are not drawn.
+struct Outliers {
+    std::uint64_t count = 0;
+    double share = 0;        ///< of all points
+    bool isEstimate = false; ///< where not every point was looked at
+};
 
 class Sampler {
 public:
@@ -28,8 +36,8 @@ public:
     /// samples at once.
     virtual void draw(Random &random, std::size_t count, std::vector<Point> &samples) const = 0;
 
-    /// How many points the space has, repeated ones included; by default more than any network asks
-    /// for, as a surface has.
+    /// How many points the space has, repeated ones included, perhaps with outliers; by default
+    /// more than any network asks for, as a surface has.
     virtual std::size_t pointCount() const { return std::numeric_limits<std::size_t>::max(); }
 
     /// How many distinct points the space has; may stop counting at `enough`. A vertex that wins
@@ -39,8 +47,7 @@ public:
     /// Whether all of it lies in one plane, where no surface but an open one can be.
     virtual bool isFlat() const { return false; }
 
-    /// Estimated share of the points that were taken for outliers and are not drawn.
-    virtual double outlierShare() const { return 0; }
+    virtual Outliers outliers() const { return {}; }
 };
 
 } // namespace neuralmesh

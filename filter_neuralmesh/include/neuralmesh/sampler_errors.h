@@ -33,15 +33,17 @@ private:
     std::uint64_t count_, broken_, first_;
 };
 
-/// A range of a coordinate ('x', 'y', 'z') or a parameter ('u', 'v') ends before it starts, or is
-/// not finite.
+/// A range of a coordinate ('x', 'y', 'z') or a parameter ('u', 'v') ends before it starts, or an
+/// end of it, or its length, is not finite.
 class EmptyRange : public InvalidInput {
 public:
-    explicit EmptyRange(char variable);
+    explicit EmptyRange(char variable, bool isInfinite = false);
     char variable() const { return variable_; }
+    bool isInfinite() const { return isInfinite_; }
 
 private:
     char variable_;
+    bool isInfinite_;
 };
 
 /// A file is of a format that is not read in place, and has to be converted to binary PLY.

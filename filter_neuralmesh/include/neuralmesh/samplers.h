@@ -39,10 +39,11 @@ struct Formula {
 };
 
 /// The surface on which a function of x, y and z is zero, within a box, uniform by area.
-std::unique_ptr<Sampler> implicitSurfaceSampler(const Formula &function, const Box &box);
+std::unique_ptr<Sampler> implicitSurfaceSampler(const Formula &function, const Box &box,
+                                                const Progress &progress = {});
 
 /// The surface that x, y and z as functions of u and v describe, uniform by area.
 std::unique_ptr<Sampler> parametricSurfaceSampler(const std::array<Formula, 3> &coordinates,
-                                                  Range u, Range v);
+                                                  Range u, Range v, const Progress &progress = {});
 
 } // namespace neuralmesh

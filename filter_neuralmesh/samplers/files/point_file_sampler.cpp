@@ -2,6 +2,7 @@
 #include "samplers/files/point_file_sampler.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/portability.h"
 #include "neuralmesh/sampler_errors.h"
@@ -13,10 +14,6 @@
 namespace neuralmesh {
 namespace {
 
-/// Points from which outliers, flatness and claimed bounds are judged: as many as the outlier
-/// filter looks at in a cloud in memory.
-constexpr std::uint64_t pilotPoints = OutlierFilter::pilotPoints;
-
 /// Bounds that a header claims are believed where no pilot point lies outside by more than this
 /// share of their diagonal, and where the pilot points fill this share of it.
 constexpr double boundsTolerance = 1e-3;
@@ -24,6 +21,13 @@ constexpr double leastFilled = 0.5;
 
 /// Points drawn between two looks at whether the file has changed.
 constexpr std::size_t pointsPerLook = 1 << 20;
+
+/// Of so many points each is judged before the first is drawn, so that their outliers are counted.
+constexpr std::uint64_t mostPointsJudged = 200000;
+
+/// Draws until one is no outlier. Of places at most a fifth are outliers, but each may be repeated;
+/// so many in a row do not happen in a file that stays as it was.
+constexpr int mostDraws = 100000;
 
 /// Records that are asked for before the first of them is read.
 constexpr std::size_t readsAtOnce = 64;
@@ -39,43 +43,43 @@ std::uint64_t randomIndex(Random &random, std::uint64_t count)
     return std::min(index, count - 1);
 }
 
-/// Every n-th index below count, as many as asked for or all.
-template <class Visit> void visitPilot(std::uint64_t count, const Visit &visit)
+std::vector<Point3> pilotOf(const PointRecords &records)
 {
-    const std::uint64_t chosen = std::min(count, pilotPoints);
-    // No overflow: a mapped file holds fewer than 2^44 points.
-    for (std::uint64_t i = 0; i < chosen; ++i)
-        visit(i * count / chosen);
+    return neuralmesh::pilotOf(records.count(),
+                               [&](std::uint64_t index) { return records.point(index); });
+}
+
+bool contains(const vcg::Box3d &box, const vcg::Box3d &other)
+{
+    return box.IsIn(other.min) && box.IsIn(other.max);
+}
+
+vcg::Box3d tolerated(vcg::Box3d claimed)
+{
+    claimed.Offset(boundsTolerance * claimed.Diag());
+    return claimed;
 }
 
 /// Whether bounds that a header claims, which may be wrong or out of date, fit the points.
 bool areCredible(const vcg::Box3d &claimed, const PointRecords &records)
 {
-    vcg::Box3d pilot;
-    visitPilot(records.count(), [&](std::uint64_t index) { pilot.Add(records.point(index)); });
-    vcg::Box3d tolerated = claimed;
-    tolerated.Offset(boundsTolerance * claimed.Diag());
-    return tolerated.IsIn(pilot.min) && tolerated.IsIn(pilot.max) &&
-           pilot.Diag() >= leastFilled * claimed.Diag();
+    vcg::Box3d filled;
+    for (const Point3 &point : pilotOf(records))
+        filled.Add(point);
+    return contains(tolerated(claimed), filled) && filled.Diag() >= leastFilled * claimed.Diag();
 }
 
 } // namespace
 
 PointFileSampler::PointFileSampler(const std::string &path, const Progress &progress)
 try : path_(path), file_(path), records_(file_.bytes(), readPointLayout(file_.bytes())) {
-    setFrame(findWorldBounds(progress));
+    setAsideOutliers(findWorldBounds(progress), progress);
     requireFourPoints(countDistinctPoints(4));
-    std::vector<Point3> pilot = readPilot();
-    if (const OutlierFilter filter(pilot, bounds_); filter.isActive()) {
-        // Outliers may lie so far off that the rest is next to nothing in the frame of all.
-        setFrame(toWorld(frame_, filter.bounds()));
-        pilot = readPilot();
-        outliers_.emplace(pilot, bounds_);
-        pilot.erase(std::remove_if(pilot.begin(), pilot.end(),
-                                   [&](const Point3 &p) { return outliers_->isOutlier(p); }),
-                    pilot.end());
-    }
-    isFlat_ = neuralmesh::isFlat(pilot);
+    std::vector<Point3> kept;
+    for (const Point3 &point : pilotOf(records_))
+        if (isToBeDrawn(point))
+            kept.push_back(toUnit(frame_, point));
+    isFlat_ = neuralmesh::isFlat(kept);
     if (file_.hasChanged())
         throw InvalidInput(changed);
 } catch (const InvalidInput &problem) {
@@ -88,11 +92,50 @@ void PointFileSampler::setFrame(const vcg::Box3d &worldBounds)
     bounds_ = Box3(toUnit(frame_, worldBounds.min), toUnit(frame_, worldBounds.max));
 }
 
-std::vector<Point3> PointFileSampler::readPilot() const
+/// Outliers may lie so far off that the rest is next to nothing in the frame of all. Whatever lies
+/// out of the reach of the pilot points is one, also where a header does not know of it.
+void PointFileSampler::setAsideOutliers(const vcg::Box3d &worldBounds, const Progress &progress)
 {
-    std::vector<Point3> pilot;
-    visitPilot(records_.count(), [&](std::uint64_t index) { pilot.push_back(unitPoint(index)); });
-    return pilot;
+    drawn_ = tolerated(worldBounds);
+    filter_ = OutlierFilter(pilotOf(records_), records_.count() <= OutlierFilter::pilotPoints);
+    if (!filter_.isActive()) {
+        setFrame(worldBounds);
+        return;
+    }
+    drawn_ = filter_.bounds();
+    const bool areInReach = contains(drawn_, worldBounds);
+    judgesEach_ = filter_.share() > 0 || records_.count() <= mostPointsJudged;
+    const bool isCounted = records_.count() <= mostPointsJudged;
+    if (isCounted || (!areInReach && !judgesEach_)) {
+        left_.count = countOutliers(progress);
+        left_.share = static_cast<double>(left_.count) / static_cast<double>(records_.count());
+        judgesEach_ = judgesEach_ && left_.count > 0;
+    } else if (judgesEach_) {
+        left_.share = filter_.share();
+        left_.count = static_cast<std::uint64_t>(
+            std::llround(left_.share * static_cast<double>(records_.count())));
+        left_.isEstimate = true;
+    }
+    vcg::Box3d kept = drawn_;
+    kept.Intersect(worldBounds);
+    setFrame(areInReach && left_.count == 0 ? worldBounds : kept);
+}
+
+std::uint64_t PointFileSampler::countOutliers(const Progress &progress) const
+{
+    std::uint64_t count = 0;
+    for (std::uint64_t i = 0; i < records_.count(); ++i) {
+        if (i % pointsPerLook == 0)
+            report(progress, static_cast<double>(i) / static_cast<double>(records_.count()),
+                   "Counting isolated points");
+        count += isToBeDrawn(records_.point(i)) ? 0 : 1;
+    }
+    return count;
+}
+
+bool PointFileSampler::isToBeDrawn(const Point3 &world) const
+{
+    return drawn_.IsIn(world) && !(judgesEach_ && filter_.isOutlier(world));
 }
 
 vcg::Box3d PointFileSampler::findWorldBounds(const Progress &progress) const
@@ -116,12 +159,8 @@ void PointFileSampler::draw(Random &random, std::size_t count, std::vector<Point
         if (file_.hasChanged())
             throw InvalidPointFile(path_, changed);
         const std::size_t end = std::min(begin + pointsPerLook, count);
-        if (outliers_)
-            for (std::size_t i = begin; i < end; ++i)
-                samples[i] = toPlain(drawNoOutlier(random));
-        else
-            for (std::size_t i = begin; i < end; i += readsAtOnce)
-                drawAtOnce(random, std::min(readsAtOnce, end - i), &samples[i]);
+        for (std::size_t i = begin; i < end; i += readsAtOnce)
+            drawAtOnce(random, std::min(readsAtOnce, end - i), &samples[i]);
     }
 }
 
@@ -134,20 +173,24 @@ void PointFileSampler::drawAtOnce(Random &random, std::size_t count, Point *samp
         indices[i] = randomIndex(random, records_.count());
         prefetch(records_.record(indices[i]));
     }
-    for (std::size_t i = 0; i < count; ++i)
-        samples[i] = toPlain(unitPoint(indices[i]));
+    for (std::size_t i = 0; i < count; ++i) {
+        const Point3 world = records_.point(indices[i]);
+        samples[i] = toPlain(toUnit(frame_, isToBeDrawn(world) ? world : drawAnother(random)));
+    }
 }
 
-Point3 PointFileSampler::drawNoOutlier(Random &random) const
+/// A file may be written to and have its time put back: no number of it is trusted to be finite,
+/// and none to be one that is drawn.
+Point3 PointFileSampler::drawAnother(Random &random) const
 {
-    Point3 sample;
-    // At most a fifth are outliers: 64 in a row do not happen.
-    for (int tries = 0; tries < 64; ++tries) {
-        sample = unitPoint(randomIndex(random, records_.count()));
-        if (!outliers_->isOutlier(sample))
+    for (int tries = 0; tries < mostDraws; ++tries) {
+        const Point3 world = records_.point(randomIndex(random, records_.count()));
+        if (!isFinite(world))
             break;
+        if (isToBeDrawn(world))
+            return world;
     }
-    return sample;
+    throw InvalidPointFile(path_, changed);
 }
 
 std::size_t PointFileSampler::pointCount() const
@@ -159,7 +202,8 @@ std::size_t PointFileSampler::countDistinctPoints(std::size_t enough) const
 {
     DistinctPoints distinct(std::min(enough, pointCount()));
     for (std::uint64_t i = 0; i < records_.count() && distinct.size() < enough; ++i)
-        distinct.insert(unitPoint(i));
+        if (const Point3 world = records_.point(i); isToBeDrawn(world))
+            distinct.insert(world);
     return distinct.size();
 }
 

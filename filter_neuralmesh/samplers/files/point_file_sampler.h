@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "core/space/plain_points.h"
@@ -33,15 +32,17 @@ public:
     /// Reads the file from its start until it has found enough.
     std::size_t countDistinctPoints(std::size_t enough) const override;
 
-    double outlierShare() const override { return outliers_ ? outliers_->share() : 0; }
+    /// Of points that a LAS header's bounds exclude, and no pilot point is, none is counted.
+    Outliers outliers() const override { return left_; }
 
 private:
     void setFrame(const vcg::Box3d &worldBounds);
-    std::vector<Point3> readPilot() const;
+    void setAsideOutliers(const vcg::Box3d &worldBounds, const Progress &progress);
     vcg::Box3d findWorldBounds(const Progress &progress) const;
-    Point3 unitPoint(std::uint64_t index) const { return toUnit(frame_, records_.point(index)); }
+    std::uint64_t countOutliers(const Progress &progress) const;
+    bool isToBeDrawn(const Point3 &world) const;
     void drawAtOnce(Random &random, std::size_t count, Point *samples) const;
-    Point3 drawNoOutlier(Random &random) const;
+    Point3 drawAnother(Random &random) const;
 
     std::string path_;
     MappedFile file_;
@@ -49,7 +50,10 @@ private:
     UnitFrame frame_;
     bool isFlat_ = false;
     Box3 bounds_;
-    std::optional<OutlierFilter> outliers_; ///< where there are any
+    OutlierFilter filter_;
+    bool judgesEach_ = false; ///< whether outliers are among the points within the bounds
+    vcg::Box3d drawn_;        ///< in the world: no point is drawn outside
+    Outliers left_;
 };
 
 } // namespace neuralmesh

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samplers/points/outlier_filter.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
-
-#include <vcg/space/index/kdtree/kdtree.h>
 
 #include "core/space/point_statistics.h"
-#include "samplers/points/distinct_points.h"
+#include "samplers/points/pilot_tree.h"
+#include "samplers/points/sparse_parts.h"
 
 namespace neuralmesh {
 namespace {
@@ -30,133 +27,19 @@ constexpr double strayHeight = 0.5;
 constexpr double deviations = 4;
 /// Median absolute deviation to standard deviation, of a normal distribution.
 constexpr double madToDeviation = 1.4826;
-/// Neighbours by which a surface is told from a cloud, and the surface variation up to which it is
-/// one. Nine points at random in space have 0.118 in the median, on a sphere of 400 points 0.003.
-constexpr int surfaceNeighbours = 8;
-constexpr double mostSurfaceVariation = 0.02;
 /// Pilot points of a group apart from all others that is no part of the data, as a share of all, up
 /// to which its points are outliers: a mesh of 5,000 vertices would have a dozen for it.
 constexpr double mostOfGroup = 0.0025;
 /// Above this share of the places there are no outliers.
 constexpr double mostOutliers = 0.2;
 
-/// Every n-th point, as many as asked for or all.
-std::vector<Point3> thinned(const std::vector<Point3> &points, std::size_t count)
-{
-    if (points.size() <= count)
-        return points;
-    std::vector<Point3> chosen;
-    chosen.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-        chosen.push_back(points[i * points.size() / count]);
-    return chosen;
-}
-
-/// The pilot points with a search tree.
-class PilotTree {
-public:
-    explicit PilotTree(const std::vector<Point3> &pilot)
-        : pilot_(pilot), wrapper_(pilot.data(), static_cast<int>(pilot.size())), tree_(wrapper_)
-    {
-    }
-
-    /// Distance to the k-th neighbour of a pilot point.
-    double distance(const Point3 &point, int k)
-    {
-        tree_.doQueryK(point, k + 1, queue_); // the point itself is one
-        double furthest = 0;
-        for (int i = 0; i < queue_.getNofElements(); ++i)
-            furthest = std::max(furthest, static_cast<double>(queue_.getWeight(i)));
-        return std::sqrt(furthest); // weights are squared distances
-    }
-
-    std::vector<double> distances(int k)
-    {
-        std::vector<double> found;
-        found.reserve(pilot_.size());
-        for (const Point3 &point : pilot_)
-            found.push_back(distance(point, k));
-        return found;
-    }
-
-    /// Whether a pilot point is off the plane of its k neighbours, and far from them as they are
-    /// from theirs.
-    bool strays(std::size_t index, const std::vector<double> &distances, int k)
-    {
-        const Point3 &point = pilot_[index];
-        tree_.doQueryK(point, k + 1, queue_);
-        std::vector<std::size_t> others;
-        std::vector<double> theirs;
-        for (int i = 0; i < queue_.getNofElements(); ++i) {
-            const auto other = static_cast<std::size_t>(queue_.getIndex(i));
-            if (other == index)
-                continue;
-            others.push_back(other);
-            theirs.push_back(distances[other]);
-        }
-        const double usual = median(std::move(theirs));
-        if (distances[index] <= strayRatio * usual)
-            return false;
-        std::vector<Point3> around;
-        for (const std::size_t other : others)
-            if (distances[other] <= strayRatio * usual) // no stray itself
-                around.push_back(pilot_[other]);
-        const PrincipalAxes frame = principalAxes(around);
-        const double height = std::abs(frame.axes.col(0).dot(toEigen(point) - frame.mean));
-        return height > strayHeight * distances[index];
-    }
-
-    /// By pilot point: the one that stands for its group. Two of the k nearest neighbours belong
-    /// together where they are no further from each other than `ratio` times the distance of either
-    /// to its k-th neighbour, whatever the density; and all that do so by way of others.
-    std::vector<std::size_t> groups(double ratio, int k)
-    {
-        std::vector<std::size_t> parent(pilot_.size());
-        std::iota(parent.begin(), parent.end(), std::size_t(0));
-        const auto root = [&](std::size_t i) {
-            while (parent[i] != i)
-                i = parent[i] = parent[parent[i]];
-            return i;
-        };
-        const std::vector<double> reach = distances(k);
-        for (std::size_t i = 0; i < pilot_.size(); ++i) {
-            tree_.doQueryK(pilot_[i], k + 1, queue_);
-            for (int n = 0; n < queue_.getNofElements(); ++n) {
-                const auto other = static_cast<std::size_t>(queue_.getIndex(n));
-                if (std::sqrt(queue_.getWeight(n)) <= ratio * reach[other])
-                    parent[root(other)] = root(i);
-            }
-        }
-        for (std::size_t i = 0; i < parent.size(); ++i)
-            parent[i] = root(i);
-        return parent;
-    }
-
-    /// Surface variation (Pauly 2002) of a point and its k neighbours: the least eigenvalue's share
-    /// of their covariance's trace. Zero on a plane, 1/3 at the most.
-    double surfaceVariation(const Point3 &point, int k)
-    {
-        tree_.doQueryK(point, k + 1, queue_);
-        const int count = queue_.getNofElements();
-        std::vector<Point3> around;
-        for (int i = 0; i < count; ++i)
-            around.push_back(pilot_[static_cast<std::size_t>(queue_.getIndex(i))]);
-        const Eigen::Vector3d variances = principalAxes(around).variances;
-        return variances.sum() > 0 ? variances[0] / variances.sum() : 0;
-    }
-
-private:
-    const std::vector<Point3> &pilot_;
-    vcg::ConstDataWrapper<Point3> wrapper_;
-    vcg::KdTree<Scalar> tree_;
-    vcg::KdTree<Scalar>::PriorityQueue queue_;
-};
-
 double measureRadius(PilotTree &tree, const std::vector<Point3> &pilot)
 {
     std::vector<double> logarithms;
-    for (const Point3 &point : thinned(pilot, measuredPoints))
-        if (const double distance = tree.distance(point, neighbours); distance > 0)
+    const std::size_t count = std::min(pilot.size(), measuredPoints);
+    for (std::size_t i = 0; i < count; ++i)
+        if (const double distance = tree.distance(pilot[i * pilot.size() / count], neighbours);
+            distance > 0)
             logarithms.push_back(std::log(distance));
     if (logarithms.empty())
         return 0;
@@ -178,105 +61,138 @@ std::vector<Point3> withoutRepetitions(const std::vector<Point3> &points)
     return distinct;
 }
 
-std::vector<Point3> straysAmong(const std::vector<Point3> &pilot, PilotTree &tree)
+/// Whether a pilot point is off the plane of its neighbours, and far from them as they are from
+/// theirs.
+bool strays(std::size_t index, const std::vector<Point3> &pilot, PilotTree &tree,
+            const std::vector<double> &distances)
 {
-    const std::vector<double> distances = tree.distances(neighbours);
-    std::vector<Point3> strays;
-    for (std::size_t i = 0; i < pilot.size(); ++i)
-        if (tree.strays(i, distances, neighbours))
-            strays.push_back(pilot[i]);
-    return strays;
-}
-
-/// By pilot point: whether its group is too small for a part of the data.
-std::vector<bool> inSmallGroups(std::size_t points, PilotTree &tree)
-{
-    const std::vector<std::size_t> group = tree.groups(leastRatio, neighbours);
-    std::vector<int> sizes(points, 0);
-    for (const std::size_t g : group)
-        ++sizes[g];
-    const double most = mostOfGroup * static_cast<double>(points);
-    std::vector<bool> found;
-    found.reserve(points);
-    for (const std::size_t g : group)
-        found.push_back(sizes[g] <= most);
-    return found;
-}
-
-/// Whether points that stand alone lie on surfaces of their own all the same, only sparser ones.
-bool lieOnSurfaces(const std::vector<Point3> &alone)
-{
-    if (alone.size() <= surfaceNeighbours)
+    const std::vector<std::size_t> others = tree.neighbours(index, neighbours);
+    std::vector<double> theirs;
+    theirs.reserve(others.size());
+    for (const std::size_t other : others)
+        theirs.push_back(distances[other]);
+    const double usual = median(std::move(theirs));
+    if (distances[index] <= strayRatio * usual)
         return false;
-    PilotTree tree(alone);
-    std::vector<double> variations;
-    for (const Point3 &point : thinned(alone, measuredPoints))
-        variations.push_back(tree.surfaceVariation(point, surfaceNeighbours));
-    return median(variations) < mostSurfaceVariation;
+    std::vector<Point3> around;
+    for (const std::size_t other : others)
+        if (distances[other] <= strayRatio * usual) // no stray itself
+            around.push_back(pilot[other]);
+    const PrincipalAxes plane = principalAxes(around);
+    const double height = std::abs(plane.axes.col(0).dot(toEigen(pilot[index]) - plane.mean));
+    return height > strayHeight * distances[index];
 }
 
 } // namespace
 
-OutlierFilter::OutlierFilter(const std::vector<Point3> &points, const Box3 &bounds)
-    : pilotGrid_(bounds)
+OutlierFilter::OutlierFilter(const std::vector<Point3> &points)
+    : OutlierFilter(pilotOf(points.size(), [&](std::uint64_t i) { return points[i]; }),
+                    points.size() <= pilotPoints)
 {
-    if (points.size() < leastPoints)
+}
+
+OutlierFilter::OutlierFilter(const std::vector<Point3> &drawn, bool isWhole)
+    : pilotGrid_(RobustFrame::usualBox())
+{
+    if (drawn.size() < leastPoints)
         return;
-    const std::vector<Point3> drawn = thinned(points, pilotPoints);
-    const std::vector<Point3> pilot = withoutRepetitions(drawn);
-    insert(pilot);
-    PilotTree tree(pilot);
-    radius_ = measureRadius(tree, pilot);
-    if (drawn.size() == points.size())
-        for (const Point3 &point : straysAmong(pilot, tree))
-            strays_.insert(point);
-    isInSmallGroup_ = inSmallGroups(pilot.size(), tree);
-    const Scalar reach = radius_;
-    judgeThoseAlone(pilot);
-    std::size_t places = 0;
-    for (std::size_t i = 0; i < pilot.size(); ++i)
-        if (isInSmallGroup_[i] || isAlone(pilot[i]))
-            ++places;
-        else
-            bounds_.Add(pilot[i]);
-    if (static_cast<double>(places) > mostOutliers * static_cast<double>(pilot.size()))
+    const std::vector<Point3> places = withoutRepetitions(drawn);
+    frame_ = RobustFrame(places);
+    for (const Point3 &place : places)
+        pilot_.push_back(frame_.toFrame(place));
+    learn(isWhole);
+    Box3 inFrame;
+    std::size_t outliers = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (isDirt(pilot_[i])) {
+            ++outliers;
+            continue;
+        }
+        const Scalar reach = std::max<Scalar>(radius_, reaches_[i]);
+        inFrame.Add(pilot_[i], reach);
+        bounds_.Add(places[i], reach * frame_.unit());
+    }
+    if (static_cast<double>(outliers) > mostOutliers * static_cast<double>(places.size()))
         return;
-    bounds_.Offset(reach);
-    pilotGrid_ = VertexGrid(bounds_);
-    insert(pilot);
+    isActive_ = true;
+    pilotGrid_ = VertexGrid(inFrame);
+    insertPilot();
     const auto dirt = std::count_if(drawn.begin(), drawn.end(),
-                                    [&](const Point3 &point) { return isDirt(point); });
+                                    [&](const Point3 &point) { return isOutlier(point); });
     share_ = static_cast<double>(dirt) / static_cast<double>(drawn.size());
 }
 
-void OutlierFilter::insert(const std::vector<Point3> &pilot)
+void OutlierFilter::learn(bool isWhole)
 {
-    for (std::size_t i = 0; i < pilot.size(); ++i)
-        pilotGrid_.insert(static_cast<VertexId>(i), pilot[i]);
+    insertPilot();
+    PilotTree tree(pilot_);
+    radius_ = measureRadius(tree, pilot_);
+    if (isWhole) {
+        const std::vector<double> distances = tree.distances(neighbours);
+        for (std::size_t i = 0; i < pilot_.size(); ++i)
+            if (strays(i, pilot_, tree, distances))
+                strays_.insert(pilot_[i]);
+    }
+    findSparseParts();
+    findSmallGroups();
 }
 
-/// Where those alone, but for small groups, lie on surfaces, standing alone says nothing.
-void OutlierFilter::judgeThoseAlone(const std::vector<Point3> &pilot)
+void OutlierFilter::insertPilot()
 {
+    for (std::size_t i = 0; i < pilot_.size(); ++i)
+        pilotGrid_.insert(static_cast<VertexId>(i), pilot_[i]);
+}
+
+/// Among those alone, but for strays off a surface: many of these, at one distance, would be one
+/// themselves.
+void OutlierFilter::findSparseParts()
+{
+    std::vector<std::size_t> indices;
     std::vector<Point3> alone;
-    for (std::size_t i = 0; i < pilot.size(); ++i)
-        if (!isInSmallGroup_[i] && isAlone(pilot[i]))
-            alone.push_back(pilot[i]);
-    if (!lieOnSurfaces(alone))
-        return;
-    radius_ = 0;
+    for (std::size_t i = 0; i < pilot_.size(); ++i)
+        if (isAlone(pilot_[i]) && !strays_.contains(pilot_[i])) {
+            indices.push_back(i);
+            alone.push_back(pilot_[i]);
+        }
+    const std::vector<double> reaches = reachesInSparseParts(alone);
+    reaches_.assign(pilot_.size(), 0);
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        reaches_[indices[i]] = reaches[i];
 }
 
-bool OutlierFilter::isDirt(const Point3 &point) const
+/// Among all others: those alone would join what they lie between.
+void OutlierFilter::findSmallGroups()
 {
-    return isInSmallGroup_[pilotGrid_.nearest(point)] || isAlone(point);
+    std::vector<std::size_t> indices;
+    std::vector<Point3> others;
+    for (std::size_t i = 0; i < pilot_.size(); ++i)
+        if (reaches_[i] > 0 || !isAlone(pilot_[i])) {
+            indices.push_back(i);
+            others.push_back(pilot_[i]);
+        }
+    isInSmallGroup_.assign(pilot_.size(), false);
+    if (others.empty())
+        return;
+    const double most = mostOfGroup * static_cast<double>(pilot_.size());
+    const std::vector<bool> isSmall = PilotTree(others).inSmallGroups(leastRatio, neighbours, most);
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        isInSmallGroup_[indices[i]] = isSmall[i];
 }
 
-bool OutlierFilter::isAlone(const Point3 &point) const
+bool OutlierFilter::isDirt(const Point3 &inFrame) const
+{
+    const VertexId nearest = pilotGrid_.nearest(inFrame);
+    if (isInSmallGroup_[nearest])
+        return true;
+    const double distance = (pilot_[nearest] - inFrame).Norm();
+    return isAlone(inFrame) && !(reaches_[nearest] > 0 && distance <= reaches_[nearest]);
+}
+
+bool OutlierFilter::isAlone(const Point3 &inFrame) const
 {
     // A pilot point finds itself, another point does not: one more or less of eight is no matter.
     return radius_ > 0 &&
-           (!pilotGrid_.hasWithin(point, radius_, neighbours + 1) || strays_.contains(point));
+           (!pilotGrid_.hasWithin(inFrame, radius_, neighbours + 1) || strays_.contains(inFrame));
 }
 
 } // namespace neuralmesh

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/space/vertex_grid.h"
 #include "samplers/points/distinct_points.h"
+#include "samplers/points/robust_frame.h"
 
 namespace neuralmesh {
 
@@ -13,46 +16,71 @@ namespace neuralmesh {
 /// size of the cloud: by how many of at most 20,000 pilot points lie around.
 ///
 /// A point is an outlier where fewer than eight pilot points lie within a radius that is several
-/// times the usual distance to the eighth. Where the density of the cloud varies, so does that
-/// distance, and the radius grows with its spread. In a cloud that is all pilot points, where a
-/// single one can move a vertex, so is one off the plane of its neighbours which is further from
-/// them than they are from theirs (local outlier factor, Breunig et al. 2000). So are the points of
-/// a group of next to no size that is apart from all others, for its own density. None is an
-/// outlier in a cloud of fewer than 500 points, where more than a fifth of the places would be, or
-/// where those that would be lie on surfaces of their own, as a sparsely scanned part does: that is
-/// how the cloud is, not dirt in it. Points at the very same place count as one: invalid returns
-/// are often stored as 0 0 0.
+/// times the usual distance to the eighth, unless it is of a part of the data that is only sparser
+/// (sparse_parts.h). Where the density of the cloud varies, so does that distance, and the radius
+/// grows with its spread. In a cloud that is all pilot points, where a single one can move a
+/// vertex, so is one off the plane of its neighbours which is further from them than they are from
+/// theirs (local outlier factor, Breunig et al. 2000). So are the points of a group of next to no
+/// size that is apart from all others, for its own density. None is an outlier in a cloud of fewer
+/// than 500 points, or where more than a fifth of the places would be: that is how the cloud is,
+/// not dirt in it. Points at the very same place count as one: invalid returns are often stored as
+/// 0 0 0.
 class OutlierFilter {
 public:
     /// Pilot points at the most.
     static constexpr std::size_t pilotPoints = 20000;
 
-    /// Learns from the points, in the unit frame.
-    OutlierFilter(const std::vector<Point3> &points, const Box3 &bounds);
+    /// Of no cloud: not active.
+    OutlierFilter() : pilotGrid_(RobustFrame::usualBox()) {}
 
-    /// Whether any outlier was found among the pilot points; where not, none is an outlier.
-    bool isActive() const { return share_ > 0; }
+    /// Learns from every n-th of the points, given in any unit and however far from each other.
+    explicit OutlierFilter(const std::vector<Point3> &points);
+
+    /// Learns from pilot points; isWhole: whether the cloud has no others.
+    OutlierFilter(const std::vector<Point3> &drawn, bool isWhole);
+
+    /// Whether the cloud is one in which outliers are told from others. Where not, none is one.
+    bool isActive() const { return isActive_; }
 
     /// Share of outliers among the pilot points, each counted however often it is repeated.
     double share() const { return share_; }
 
-    /// Of the pilot points that are no outliers, and as far around as these reach.
+    /// Of the pilot points that are no outliers, and as far around as these reach: a point outside
+    /// is an outlier. Only where the filter is active.
     const Box3 &bounds() const { return bounds_; }
 
-    bool isOutlier(const Point3 &point) const { return isActive() && isDirt(point); }
+    bool isOutlier(const Point3 &point) const { return isActive_ && isDirt(frame_.toFrame(point)); }
 
 private:
-    void insert(const std::vector<Point3> &pilot);
-    void judgeThoseAlone(const std::vector<Point3> &pilot);
-    bool isDirt(const Point3 &point) const;
-    bool isAlone(const Point3 &point) const;
+    void learn(bool isWhole);
+    void insertPilot();
+    void findSparseParts();
+    void findSmallGroups();
+    bool isDirt(const Point3 &inFrame) const;
+    bool isAlone(const Point3 &inFrame) const;
 
+    RobustFrame frame_;
     VertexGrid pilotGrid_;
+    std::vector<Point3> pilot_;        ///< in the robust frame
     std::vector<bool> isInSmallGroup_; ///< by pilot point
+    std::vector<double> reaches_;      ///< by pilot point: in a sparse part, of others around it
     DistinctPoints strays_;            ///< not alone, but off the surface of their neighbours
     Box3 bounds_;
-    Scalar radius_ = 0; ///< 0 where standing alone says nothing
+    Scalar radius_ = 0;
     double share_ = 0;
+    bool isActive_ = false;
 };
+
+/// Every n-th of `count` points, as many as the filter looks at or all.
+template <class PointAt> std::vector<Point3> pilotOf(std::uint64_t count, const PointAt &pointAt)
+{
+    const std::uint64_t chosen = std::min<std::uint64_t>(count, OutlierFilter::pilotPoints);
+    std::vector<Point3> pilot;
+    pilot.reserve(static_cast<std::size_t>(chosen));
+    // No overflow: a mapped file holds fewer than 2^44 points.
+    for (std::uint64_t i = 0; i < chosen; ++i)
+        pilot.push_back(pointAt(i * count / chosen));
+    return pilot;
+}
 
 } // namespace neuralmesh

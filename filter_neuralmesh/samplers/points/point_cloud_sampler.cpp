@@ -2,16 +2,58 @@
 #include "samplers/points/point_cloud_sampler.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "neuralmesh/errors.h"
 #include "samplers/input_checks.h"
 #include "samplers/points/distinct_points.h"
+#include "samplers/points/outlier_filter.h"
 
 namespace neuralmesh {
 namespace {
 
-/// Up to so many points are sifted for outliers beforehand; of more, those that are drawn.
-constexpr std::size_t mostPointsSifted = 200000;
+/// Of so many points each is judged by itself. Of more, each is only where the pilot points hold an
+/// outlier, or where a point lies out of the reach of those that are none; one that is left has
+/// next to no chance of being drawn.
+constexpr std::size_t mostPointsJudged = 200000;
+
+std::vector<bool> withDensity(const std::vector<double> &density)
+{
+    std::vector<bool> isKept;
+    isKept.reserve(density.size());
+    for (const double value : density)
+        isKept.push_back(value > 0);
+    return isKept;
+}
+
+/// Of the places where points are, where these are few enough to be compared.
+OutlierFilter filterOf(const std::vector<Point> &world)
+{
+    if (world.size() > mostPointsJudged)
+        return {pilotOf(world.size(), [&](std::uint64_t i) { return toVcg(world[i]); }), false};
+    std::vector<Point3> places;
+    DistinctPoints seen(world.size());
+    for (const Point &point : world)
+        if (seen.insert(toVcg(point)))
+            places.push_back(toVcg(point));
+    return OutlierFilter(places);
+}
+
+std::vector<bool> withoutOutliers(const std::vector<Point> &world)
+{
+    const OutlierFilter filter = filterOf(world);
+    std::vector<bool> isKept(world.size(), true);
+    if (!filter.isActive())
+        return isKept;
+    const bool isWithin = std::all_of(world.begin(), world.end(), [&](const Point &point) {
+        return filter.bounds().IsIn(toVcg(point));
+    });
+    if (world.size() > mostPointsJudged && isWithin && !(filter.share() > 0))
+        return isKept;
+    for (std::size_t i = 0; i < world.size(); ++i)
+        isKept[i] = !filter.isOutlier(toVcg(world[i]));
+    return isKept;
+}
 
 } // namespace
 
@@ -22,74 +64,43 @@ PointCloudSampler::PointCloudSampler(const std::vector<Point> &world,
         throw InvalidInput("There are no points to reconstruct a surface from.");
     const std::vector<double> density = densityShares(given, world.size());
     requireFinite(world);
-    const auto isDrawn = [&](std::size_t i) { return density.empty() || density[i] > 0; };
-    vcg::Box3d worldBounds;
-    for (std::size_t i = 0; i < world.size(); ++i)
-        if (isDrawn(i))
-            worldBounds.Add(toVcg(world[i]));
-    setFrame(worldBounds);
-    points_.reserve(world.size());
-    std::vector<double> weights;
-    for (std::size_t i = 0; i < world.size(); ++i) {
-        if (!isDrawn(i))
-            continue;
-        points_.push_back(toVcg(frame_.toUnit(world[i])));
-        if (!density.empty())
-            weights.push_back(density[i]);
+    const std::vector<bool> isKept =
+        density.empty() ? withoutOutliers(world) : withDensity(density);
+    keep(world, isKept);
+    if (density.empty()) {
+        outliers_.count = world.size() - points_.size();
+        outliers_.share = static_cast<double>(outliers_.count) / static_cast<double>(world.size());
+    } else {
+        std::vector<double> weights;
+        std::copy_if(density.begin(), density.end(), std::back_inserter(weights),
+                     [](double value) { return value > 0; });
+        byDensity_.emplace(weights);
     }
     requireFourPoints(countDistinctPoints(4));
-    if (density.empty())
-        setAsideOutliers(world);
-    else
-        byDensity_.emplace(weights);
     isFlat_ = neuralmesh::isFlat(points_);
 }
 
-void PointCloudSampler::setFrame(const vcg::Box3d &worldBounds)
+/// Frame and bounds are those of the points that are kept: others may lie so far off that these are
+/// next to nothing in the frame of all.
+void PointCloudSampler::keep(const std::vector<Point> &world, const std::vector<bool> &isKept)
 {
-    frame_ = frameOf(worldBounds);
-    bounds_ = Box3(toUnit(frame_, worldBounds.min), toUnit(frame_, worldBounds.max));
-}
-
-/// Outliers may lie so far off that the rest is next to nothing in the frame of all.
-void PointCloudSampler::setAsideOutliers(const std::vector<Point> &world)
-{
-    const OutlierFilter filter(points_, bounds_);
-    outlierShare_ = filter.share();
-    if (!filter.isActive())
-        return;
-    if (points_.size() > mostPointsSifted) {
-        setFrame(toWorld(frame_, filter.bounds()));
-        for (std::size_t i = 0; i < world.size(); ++i)
-            points_[i] = toVcg(frame_.toUnit(world[i]));
-        outliers_.emplace(points_, bounds_);
-        return;
-    }
-    std::vector<Point> rest;
     vcg::Box3d worldBounds;
     for (std::size_t i = 0; i < world.size(); ++i)
-        if (!filter.isOutlier(points_[i])) {
-            rest.push_back(world[i]);
+        if (isKept[i])
             worldBounds.Add(toVcg(world[i]));
-        }
-    setFrame(worldBounds);
-    points_.clear();
-    for (const Point &point : rest)
-        points_.push_back(toVcg(frame_.toUnit(point)));
+    frame_ = frameOf(worldBounds);
+    bounds_ = Box3(toUnit(frame_, worldBounds.min), toUnit(frame_, worldBounds.max));
+    points_.reserve(world.size());
+    for (std::size_t i = 0; i < world.size(); ++i)
+        if (isKept[i])
+            points_.push_back(toVcg(frame_.toUnit(world[i])));
 }
 
 void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Point> &samples) const
 {
     samples.resize(count);
-    for (Point &sample : samples) {
-        // At most a fifth are outliers: 64 in a row do not happen.
-        for (int tries = 0; tries < 64; ++tries) {
-            const Point3 &point = points_[drawIndex(random)];
-            sample = toPlain(point);
-            if (!outliers_ || !outliers_->isOutlier(point))
-                break;
-        }
-    }
+    for (Point &sample : samples)
+        sample = toPlain(points_[drawIndex(random)]);
 }
 
 std::size_t PointCloudSampler::drawIndex(Random &random) const

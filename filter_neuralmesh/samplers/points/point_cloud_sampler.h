@@ -2,11 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/space/alias_table.h"
 #include "core/space/plain_points.h"
 #include "neuralmesh/sampler.h"
-#include "samplers/points/outlier_filter.h"
 
 namespace neuralmesh {
 
@@ -30,15 +30,13 @@ public:
     std::size_t pointCount() const override { return points_.size(); }
     std::size_t countDistinctPoints(std::size_t enough) const override;
 
-    double outlierShare() const override { return outlierShare_; }
+    Outliers outliers() const override { return outliers_; }
 
 private:
-    void setAsideOutliers(const std::vector<Point> &world);
-    void setFrame(const vcg::Box3d &worldBounds);
+    void keep(const std::vector<Point> &world, const std::vector<bool> &isKept);
     std::size_t drawIndex(Random &random) const;
 
-    double outlierShare_ = 0;
-    std::optional<OutlierFilter> outliers_; ///< where there are any, in a large cloud
+    Outliers outliers_;
     std::optional<AliasTable> byDensity_;
     UnitFrame frame_;
     bool isFlat_ = false;

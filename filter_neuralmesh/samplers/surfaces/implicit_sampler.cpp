@@ -20,6 +20,11 @@ constexpr double rootTolerance = 1e-7;
 /// Samples that tell where the surface is, and the lines that are drawn for them at the most.
 constexpr std::size_t pilotSamples = 20000;
 constexpr std::size_t pilotLines = 500000;
+/// Share of the lines that have to meet the surface: of fewer, samples would take minutes. In a box
+/// that fits, a third do.
+constexpr double leastHit = 1e-3;
+/// Lines between two calls of the progress callback.
+constexpr std::size_t linesPerReport = 1000;
 /// Drawing gives up after so many times the lines that it took for the pilot samples.
 constexpr double mostLines = 1000;
 
@@ -74,16 +79,21 @@ Stretch clip(const Line &line, const vcg::Box3d &box)
     return stretch;
 }
 
+InvalidInput tooSmall(const Expression &function)
+{
+    return InvalidInput("The surface of " + function.name() +
+                        " is too small a part of the box to be sampled: make the box smaller.");
+}
+
 } // namespace
 
-ImplicitSampler::ImplicitSampler(Expression function, const Box &box)
+ImplicitSampler::ImplicitSampler(Expression function, const Box &box, const Progress &progress)
     : function_(std::move(function))
 {
     for (std::size_t axis = 0; axis < 3; ++axis)
-        if (!(box.min[axis] < box.max[axis]) || !std::isfinite(box.max[axis] - box.min[axis]))
-            throw EmptyRange("xyz"[axis]);
-    cells_ = findSurfaceCells(function_, toVcg(box));
-    const std::vector<vcg::Point3d> pilot = drawPilot();
+        requireRange("xyz" [axis], { box.min[axis], box.max[axis] });
+    cells_ = findSurfaceCells(function_, toVcg(box), progress);
+    const std::vector<vcg::Point3d> pilot = drawPilot(progress);
     vcg::Box3d worldBounds;
     for (const vcg::Point3d &p : pilot)
         worldBounds.Add(p);
@@ -96,15 +106,21 @@ ImplicitSampler::ImplicitSampler(Expression function, const Box &box)
     isFlat_ = neuralmesh::isFlat(points);
 }
 
-std::vector<vcg::Point3d> ImplicitSampler::drawPilot()
+std::vector<vcg::Point3d> ImplicitSampler::drawPilot(const Progress &progress)
 {
     Random random(0); // where the surface is does not depend on the seed
     std::vector<vcg::Point3d> points;
     std::size_t lines = 0;
-    for (; points.size() < pilotSamples && lines < pilotLines; ++lines)
+    for (; points.size() < pilotSamples && lines < pilotLines; ++lines) {
+        if (lines % linesPerReport == 0)
+            report(progress, static_cast<double>(lines) / static_cast<double>(pilotLines),
+                   "Looking for the surface");
         intersectRandomLine(random, points);
+    }
     if (points.empty())
         throw noSurface(function_);
+    if (static_cast<double>(points.size()) < leastHit * static_cast<double>(lines))
+        throw tooSmall(function_);
     linesPerSample_ = static_cast<double>(lines) / static_cast<double>(points.size());
     return points;
 }
@@ -143,9 +159,7 @@ void ImplicitSampler::draw(Random &random, std::size_t count, std::vector<Point>
     double lines = mostLines * linesPerSample_ * static_cast<double>(count + 1);
     while (samples.size() < count) {
         if (lines-- < 0)
-            throw InvalidInput("The surface of " + function_.name() +
-                               " is too small a part of the box to be sampled: make the box "
-                               "smaller.");
+            throw tooSmall(function_);
         points.clear();
         intersectRandomLine(random, points);
         for (const vcg::Point3d &point : points)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/space/plain_points.h"
+#include "neuralmesh/progress.h"
 #include "neuralmesh/sampler.h"
 #include "samplers/surfaces/expression.h"
 #include "samplers/surfaces/surface_cells.h"
@@ -20,8 +21,8 @@ namespace neuralmesh {
 class ImplicitSampler : public Sampler {
 public:
     /// Throws EmptyRange where the box is empty, InvalidInput where the function is not finite in
-    /// it or no surface is found.
-    ImplicitSampler(Expression function, const Box &box);
+    /// it, no surface is found, or next to none of it; Cancelled.
+    ImplicitSampler(Expression function, const Box &box, const Progress &progress = {});
 
     const UnitFrame &frame() const override { return frame_; }
     Box bounds() const override { return toPlain(bounds_); }
@@ -30,7 +31,7 @@ public:
 
 private:
     void intersectRandomLine(Random &random, std::vector<vcg::Point3d> &points) const;
-    std::vector<vcg::Point3d> drawPilot();
+    std::vector<vcg::Point3d> drawPilot(const Progress &progress);
 
     Expression function_;
     SurfaceCells cells_;

@@ -21,11 +21,15 @@ constexpr double boundOfLargest = 1.5;
 constexpr double differenceStep = 1e-5;
 /// Places that are tried for one sample. On a smooth surface, two of three are kept.
 constexpr int mostTries = 100000;
+/// Places by which it is judged beforehand whether enough are kept, and the share that has to be:
+/// of less, samples would take minutes.
+constexpr int pilotPlaces = 20000;
+constexpr double leastKept = 0.01;
 
-void requireRange(char variable, Range range)
+InvalidInput tooSmall()
 {
-    if (!(range.low < range.high) || !std::isfinite(range.high - range.low))
-        throw EmptyRange(variable);
+    return InvalidInput("Nearly all of the surface is in next to no part of the ranges of u and v, "
+                        "as where x, y or z jump: it cannot be sampled.");
 }
 
 double between(Range range, double share)
@@ -35,12 +39,14 @@ double between(Range range, double share)
 
 } // namespace
 
-ParametricSampler::ParametricSampler(std::array<Expression, 3> coordinates, Range u, Range v)
+ParametricSampler::ParametricSampler(std::array<Expression, 3> coordinates, Range u, Range v,
+                                     const Progress &progress)
     : coordinates_(std::move(coordinates)), u_(u), v_(v)
 {
     requireRange('u', u);
     requireRange('v', v);
-    measureCells();
+    measureCells(progress);
+    requireKept();
 }
 
 vcg::Point3d ParametricSampler::place(double u, double v) const
@@ -75,12 +81,13 @@ double ParametricSampler::areaDensity(double u, double v) const
     return (byU ^ byV).Norm();
 }
 
-void ParametricSampler::measureCells()
+void ParametricSampler::measureCells(const Progress &progress)
 {
     vcg::Box3d worldBounds;
     std::vector<vcg::Point3d> nodes;
     std::vector<double> densities;
-    for (int j = 0; j < nodesAlong; ++j)
+    for (int j = 0; j < nodesAlong; ++j) {
+        report(progress, static_cast<double>(j) / nodesAlong, "Measuring the surface");
         for (int i = 0; i < nodesAlong; ++i) {
             const double u = between(u_, i / (nodesAlong - 1.0));
             const double v = between(v_, j / (nodesAlong - 1.0));
@@ -88,6 +95,7 @@ void ParametricSampler::measureCells()
             worldBounds.Add(nodes.back());
             densities.push_back(areaDensity(u, v));
         }
+    }
     frame_ = frameOf(worldBounds);
     std::vector<Point3> points;
     for (const vcg::Point3d &node : nodes) {
@@ -111,25 +119,42 @@ void ParametricSampler::measureCells()
     cells_ = AliasTable(mostDensity_);
 }
 
-vcg::Point3d ParametricSampler::drawPoint(Random &random) const
+/// Where an expression jumps, its cells count for far more than the area that is in them.
+void ParametricSampler::requireKept() const
 {
-    for (int tries = 0; tries < mostTries; ++tries) {
-        const std::size_t cell = cells_.draw(random);
-        const std::size_t column = cell % cellsAlong;
-        const std::size_t row = cell / cellsAlong;
-        const double u = between(u_, (static_cast<double>(column) + random.unit()) / cellsAlong);
-        const double v = between(v_, (static_cast<double>(row) + random.unit()) / cellsAlong);
-        if (random.unit() * mostDensity_[cell] < areaDensity(u, v))
-            return place(u, v);
-    }
-    throw InvalidInput("The surface is too small a part of the ranges of u and v to be sampled.");
+    Random random(0); // what is refused does not depend on the seed
+    int kept = 0;
+    for (int place = 0; place < pilotPlaces; ++place)
+        kept += tryPlace(random) ? 1 : 0;
+    if (kept < leastKept * pilotPlaces)
+        throw tooSmall();
+}
+
+std::optional<Point> ParametricSampler::tryPlace(Random &random) const
+{
+    const std::size_t cell = cells_.draw(random);
+    const std::size_t column = cell % cellsAlong;
+    const std::size_t row = cell / cellsAlong;
+    const double u = between(u_, (static_cast<double>(column) + random.unit()) / cellsAlong);
+    const double v = between(v_, (static_cast<double>(row) + random.unit()) / cellsAlong);
+    if (random.unit() * mostDensity_[cell] < areaDensity(u, v))
+        return toPlain(place(u, v));
+    return std::nullopt;
+}
+
+Point ParametricSampler::drawPoint(Random &random) const
+{
+    for (int tries = 0; tries < mostTries; ++tries)
+        if (const std::optional<Point> point = tryPlace(random))
+            return *point;
+    throw tooSmall();
 }
 
 void ParametricSampler::draw(Random &random, std::size_t count, std::vector<Point> &samples) const
 {
     samples.resize(count);
     for (Point &sample : samples)
-        sample = frame_.toUnit(toPlain(drawPoint(random)));
+        sample = frame_.toUnit(drawPoint(random));
 }
 
 } // namespace neuralmesh

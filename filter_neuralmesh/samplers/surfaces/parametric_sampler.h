@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/space/alias_table.h"
 #include "core/space/plain_points.h"
+#include "neuralmesh/progress.h"
 #include "neuralmesh/sampler.h"
 #include "samplers/surfaces/expression.h"
 
@@ -21,8 +23,9 @@ class ParametricSampler : public Sampler {
 public:
     /// Takes the expressions of x, y and z, each in the variables "uv". Throws EmptyRange where a
     /// range is empty, InvalidInput where an expression is not finite in it or the surface
-    /// has no area.
-    ParametricSampler(std::array<Expression, 3> coordinates, Range u, Range v);
+    /// has no area, or next to none for what its expressions jump; Cancelled.
+    ParametricSampler(std::array<Expression, 3> coordinates, Range u, Range v,
+                      const Progress &progress = {});
 
     const UnitFrame &frame() const override { return frame_; }
     Box bounds() const override { return toPlain(bounds_); }
@@ -32,8 +35,10 @@ public:
 private:
     vcg::Point3d place(double u, double v) const;
     double areaDensity(double u, double v) const;
-    void measureCells();
-    vcg::Point3d drawPoint(Random &random) const;
+    void measureCells(const Progress &progress);
+    void requireKept() const;
+    std::optional<Point> tryPlace(Random &random) const;
+    Point drawPoint(Random &random) const;
 
     std::array<Expression, 3> coordinates_;
     Range u_, v_;

@@ -120,14 +120,17 @@ double volume(const vcg::Box3d &box)
 
 InvalidInput noSurface(const Expression &function)
 {
-    return InvalidInput("There is no surface in the box: " + function.name() +
-                        " changes its sign nowhere in it.");
+    return InvalidInput("No surface was found in the box: " + function.name() +
+                        " passes through zero nowhere that a grid of some 64 x 64 x 64 cubes "
+                        "shows. If the surface is smaller than a cube, make the box fit it.");
 }
 
-SurfaceCells findSurfaceCells(const Expression &function, const vcg::Box3d &box)
+SurfaceCells findSurfaceCells(const Expression &function, const vcg::Box3d &box,
+                              const Progress &progress)
 {
     SurfaceCells cells{box, 0, {}};
     for (int round = 0; round < fittings; ++round) {
+        report(progress, static_cast<double>(round) / fittings, "Looking for the surface");
         const vcg::Box3d searched = cells.box;
         cells = Grid(function, searched).find();
         if (cells.cells.empty())

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "neuralmesh/errors.h"
+#include "neuralmesh/progress.h"
 #include "samplers/surfaces/expression.h"
 
 namespace neuralmesh {
@@ -26,8 +27,9 @@ struct SurfaceCells {
 /// these and is smaller than a cube.
 ///
 /// Throws InvalidInput, naming the expression, where it is not finite in the box, and where no
-/// cube may hold the surface.
-SurfaceCells findSurfaceCells(const Expression &function, const vcg::Box3d &box);
+/// cube may hold the surface; Cancelled.
+SurfaceCells findSurfaceCells(const Expression &function, const vcg::Box3d &box,
+                              const Progress &progress = {});
 
 /// The error where no surface is found.
 InvalidInput noSurface(const Expression &function);

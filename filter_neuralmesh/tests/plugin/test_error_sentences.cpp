@@ -57,8 +57,13 @@ TEST(ErrorSentences, densities_are_vertex_qualities)
 
 TEST(ErrorSentences, ranges_are_those_of_two_fields)
 {
-    EXPECT_EQ(sentenceFor(EmptyRange('y')), "The box is empty: minY must be below maxY.");
-    EXPECT_EQ(sentenceFor(EmptyRange('u')), "The range of U is empty: minU must be below maxU.");
+    const std::string digits = ", by more than the seven digits that the host keeps.";
+    EXPECT_EQ(sentenceFor(EmptyRange('y')), "The box is empty: minY must be below maxY" + digits);
+    EXPECT_EQ(sentenceFor(EmptyRange('u')),
+              "The range of U is empty: minU must be below maxU" + digits);
+    EXPECT_EQ(sentenceFor(EmptyRange('z', true)),
+              "minZ and maxZ must be finite, and so must their difference; numbers of more than "
+              "about 10^38 are none for the host.");
 }
 
 TEST(ErrorSentences, of_a_point_file_tell_the_parameter_and_the_reason_behind)

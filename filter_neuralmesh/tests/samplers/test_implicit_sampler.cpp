@@ -102,7 +102,9 @@ TEST(ImplicitSampler, says_what_does_not_parse_and_where)
 
 TEST(ImplicitSampler, refuses_boxes_without_a_surface)
 {
-    const std::string none = "There is no surface in the box: expr changes its sign nowhere in it.";
+    const std::string none =
+        "No surface was found in the box: expr passes through zero nowhere that a grid of some 64 "
+        "x 64 x 64 cubes shows. If the surface is smaller than a cube, make the box fit it.";
     EXPECT_EQ(refusal("x*x + y*y + z*z + 1"), none);
     EXPECT_EQ(refusal("0"), none);
     EXPECT_EQ(refusal(sphere, {{1, 1, 1}, {2, 2, 2}}), none);
@@ -110,7 +112,28 @@ TEST(ImplicitSampler, refuses_boxes_without_a_surface)
     EXPECT_EQ(refusal(sphere, {{-1, 1, -1}, {1, -1, 1}}),
               "The range of y is empty: its lower end must be below its upper end.");
     EXPECT_EQ(refusal(sphere, {{-1, -1, -1}, {1, 1, INFINITY}}),
-              "The range of z is empty: its lower end must be below its upper end.");
+              "The range of z has an end or a length that is not finite.");
+    // A tube a million long: each cube of its box is wider than it.
+    EXPECT_EQ(refusal("x*x + z*z - 0.3", {{-1e6, -1e6, -1e6}, {1e6, 1e6, 1e6}}), none);
+}
+
+TEST(ImplicitSampler, refuses_at_once_a_surface_that_next_to_no_line_meets)
+{
+    // Nearly zero in a fifth of the box, and zero around one place only.
+    EXPECT_EQ(refusal("cos(60*x) + 1.02 - 3*exp(-600*(x*x + y*y + z*z))"),
+              "The surface of expr is too small a part of the box to be sampled: make the box "
+              "smaller.");
+}
+
+TEST(ImplicitSampler, can_be_cancelled_while_it_looks_for_the_surface)
+{
+    for (const int calls : {0, 5, 15}) { // among the cubes, and among the lines
+        int left = calls;
+        const auto stop = [&](double, const char *) { return left-- > 0; };
+        EXPECT_THROW(
+            ImplicitSampler(Expression("expr", sphere, "xyz"), {{-1, -1, -1}, {1, 1, 1}}, stop),
+            Cancelled);
+    }
 }
 
 TEST(ImplicitSampler, refuses_functions_that_are_not_finite_in_the_box_and_says_where)

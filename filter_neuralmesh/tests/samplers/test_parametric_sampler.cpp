@@ -70,13 +70,30 @@ TEST(ParametricSampler, says_which_expression_does_not_parse_and_where)
               "x does not parse: Unexpected token \"x\" found at position 0.");
 }
 
+TEST(ParametricSampler, can_be_cancelled_while_it_measures_the_surface)
+{
+    const auto stop = [](double, const char *) { return false; };
+    const auto measure = [&] {
+        std::array<Expression, 3> plane{Expression("x", "u", "uv"), Expression("y", "v", "uv"),
+                                        Expression("z", "0", "uv")};
+        const ParametricSampler sampler(std::move(plane), {0, 1}, {0, 1}, stop);
+    };
+    EXPECT_THROW(measure(), Cancelled);
+}
+
 TEST(ParametricSampler, refuses_what_is_no_surface)
 {
     EXPECT_EQ(refusal({"1/u", "v", "0"}), "x is not finite at u = 0, v = 0.");
     EXPECT_EQ(refusal(torus, {1, 1}),
               "The range of u is empty: its lower end must be below its upper end.");
     EXPECT_EQ(refusal(torus, fullTurn, {0, std::nan("")}),
-              "The range of v is empty: its lower end must be below its upper end.");
+              "The range of v has an end or a length that is not finite.");
+    // A step as high as it is wide, where differences are 100,000 times those around it: the cells
+    // with the step are drawn, and hardly a place in them is kept.
+    EXPECT_EQ(
+        refusal({"u", "v", "u < 0.5 ? 0 : 1"}, {0, 1}, {0, 1}),
+        "Nearly all of the surface is in next to no part of the ranges of u and v, as where x, "
+        "y or z jump: it cannot be sampled.");
     EXPECT_EQ(refusal({"1", "2", "3"}),
               "All points lie in one place: there is no surface to reconstruct.");
     EXPECT_EQ(refusal({"u", "u", "2*u"}),

@@ -47,7 +47,7 @@ TEST(PointFileSampler, draws_no_outliers)
         points.push_back(test::inUnitCube(random) * 4 - vcg::Point3d(2, 2, 2));
     const TemporaryFile file(test::plyOf<float>(points));
     const PointFileSampler sampler(file.path());
-    EXPECT_NEAR(sampler.outlierShare(), 500.0 / 10500, 0.01);
+    EXPECT_NEAR(sampler.outliers().share, 500.0 / 10500, 0.01);
     int far = 0;
     for (const vcg::Point3d &p : test::drawWorld(sampler, 7, 20000))
         far += std::abs(p.Norm() - 1) > 0.1 ? 1 : 0;
@@ -82,6 +82,46 @@ TEST(PointFileSampler, believes_a_las_header_only_where_its_bounds_fit_the_point
         EXPECT_NEAR(sampler.frame().diagonal(), 2 * std::sqrt(3.0), 0.03);
         EXPECT_LT((toWorld(sampler.frame(), {0, 0, 0}) - shift).Norm(), 0.03);
     }
+}
+
+TEST(PointFileSampler, draws_no_point_that_a_las_header_does_not_know_of)
+{
+    // One in three points is a pilot point, and these are not.
+    const vcg::Point3d shift(500000, 4500000, 100);
+    test::WorldPoints points = test::spherePoints(60000, 1);
+    for (vcg::Point3d &p : points)
+        p += shift;
+    points.insert(points.begin() + 1, 2, shift + vcg::Point3d(0, 0, 5000));
+    const vcg::Box3d claimed(shift - vcg::Point3d(1, 1, 1), shift + vcg::Point3d(1, 1, 1));
+    const TemporaryFile file(test::lasOf(points, 2, shift, claimed));
+    const PointFileSampler sampler(file.path());
+    EXPECT_EQ(sampler.outliers().count, 2U);
+    EXPECT_NEAR(sampler.frame().diagonal(), 2 * std::sqrt(3.0), 0.03);
+    for (const vcg::Point3d &p : test::drawWorld(sampler, 1, 200000))
+        EXPECT_LT((p - shift).Norm(), 1.01);
+}
+
+TEST(PointFileSampler, counts_the_strays_of_a_large_file)
+{
+    test::WorldPoints points = test::spherePoints(300000, 1);
+    points.insert(points.begin() + 1, 3, vcg::Point3d(1e7, 0, 0)); // between the pilot points
+    const TemporaryFile file(test::npyOf<double>(points));
+    const PointFileSampler sampler(file.path());
+    EXPECT_EQ(sampler.outliers().count, 3U);
+    // The frame is as wide as pilot points reach.
+    EXPECT_NEAR(sampler.frame().diagonal(), 2 * std::sqrt(3.0), 0.1);
+}
+
+TEST(PointFileSampler, notices_numbers_that_are_none_whatever_the_time_of_the_file)
+{
+    test::WorldPoints points = test::spherePoints(100, 1);
+    const TemporaryFile file(test::npyOf<double>(points));
+    const PointFileSampler sampler(file.path());
+    const auto time = std::filesystem::last_write_time(file.path());
+    points[50].Y() = std::nan("");
+    file.write(test::npyOf<double>(points));
+    std::filesystem::last_write_time(file.path(), time);
+    EXPECT_THROW(test::drawWorld(sampler, 7, 10000), InvalidInput);
 }
 
 TEST(PointFileSampler, refuses_what_cannot_carry_a_closed_surface)

@@ -9,6 +9,7 @@ import sys
 from neuralmesh_tools.benchmarks.batches import compare_workers
 from neuralmesh_tools.benchmarks.point_file import compare_file
 from neuralmesh_tools.benchmarks.speed import compare_speed
+from neuralmesh_tools.benchmarks.strays import table as strays_table
 from neuralmesh_tools.benchmarks.topology import table as topology_table
 from neuralmesh_tools.command_line import add_plugin, parser_of
 from neuralmesh_tools.project import PluginMissing, require_plugin
@@ -24,6 +25,8 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     what.add_argument("--quality", action="store_true", help="errors, topology and shape")
     text = "handles, parts and borders, against what the data have"
     what.add_argument("--topology", action="store_true", help=text)
+    text = "whether a few points far off change the mesh of a cloud"
+    what.add_argument("--strays", action="store_true", help=text)
     text = "time against Poisson and decimation, on the bunny"
     what.add_argument("--speed", action="store_true", help=text)
     text = "throughput of batches of so many small clouds (default 200)"
@@ -41,14 +44,18 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     add_plugin(what)
     table.add_options(parser)
     topology_table.add_options(parser)
+    strays_table.add_options(parser)
     options = parser.parse_args()
-    asked = (options.quality, options.topology, options.speed, options.batch, options.file)
-    if not any(asked):
-        parser.error("nothing to measure: give --quality, --topology, --speed, --batch or --file")
-    if options.quality and options.topology:
-        parser.error("--quality and --topology share options: give one of them")
+    tables = (options.quality, options.topology, options.strays)
+    if not any((*tables, options.speed, options.batch, options.file)):
+        parser.error(
+            "nothing to measure: give --quality, --topology, --strays, --speed, --batch or --file"
+        )
+    if sum(tables) > 1:
+        parser.error("--quality, --topology and --strays share options: give one of them")
     if options.vertices is not None and options.vertices < 4:
         parser.error("--vertices must be at least 4")
+    strays_table.check_options(parser, options)
     (topology_table if options.topology else table).check_options(parser, options)
     return options
 
@@ -66,6 +73,8 @@ def main(description: str | None) -> int:
         if options.file:
             plugin = require_plugin(options.plugin)
             print(compare_file(plugin, options.file_points, vertices, options.runs), flush=True)
+        if options.strays:
+            return strays_table.run_table(options)
         if options.topology:
             return topology_table.run_table(options)
     except PluginMissing as problem:

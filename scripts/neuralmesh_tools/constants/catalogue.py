@@ -246,6 +246,25 @@ _OF_FIT = {
         ],
     ),
     **swept(_FIT, OUTLIERS, [("outlyingRatio", "1.5", "6", "local means")]),
+    **fixed(
+        "core/fit/few_points.cpp",
+        [
+            ("mostInterpolated", "vertices", "all pairs with the points are compared"),
+            (
+                "samplesPerPoint",
+                "samples a point",
+                "time follows from it: the same points are found",
+            ),
+            ("bulge", "diagonals", "a promise; meshes of more than a few dozen vertices keep it"),
+        ],
+    ),
+    **fixed(
+        "core/parameters.cpp",
+        [
+            ("mostSmoothingPasses", "passes", "what is refused follows from it, no mesh"),
+            ("mostSignalsPerSplit", "signals", "what is refused follows from it, no mesh"),
+        ],
+    ),
     **fixed(_FIT, [("rounding", "diagonals", "rounding of double, 1e-16, times a margin")]),
     **swept(
         "core/fit/intersection_repair.cpp",

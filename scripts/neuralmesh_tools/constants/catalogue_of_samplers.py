@@ -27,10 +27,17 @@ OF_SAMPLERS: dict[Key, Entry] = {
             ("strayRatio", "1.2", "3.4", "medians"),
             ("strayHeight", "0.25", "1", "distances"),
             ("deviations", "2", "8", "standard deviations"),
-            ("surfaceNeighbours", "4", "16", "neighbours"),
-            ("mostSurfaceVariation", "0.01", "0.04", "share of the variance"),
             ("mostOfGroup", "0.00125", "0.005", "share of the points"),
             ("mostOutliers", "0.1", "0.4", "share of the points"),
+        ],
+    ),
+    **swept(
+        "samplers/points/sparse_parts.cpp",
+        OUTLIERS,
+        [
+            ("directions", "4", "16", "neighbours"),
+            ("mostFlatness", "0.05", "0.2", "share of the variance"),
+            ("mostSpacingRatio", "1.25", "5", "distances"),
         ],
     ),
     **swept(
@@ -73,11 +80,17 @@ OF_SAMPLERS: dict[Key, Entry] = {
         [
             ("nodesAlong", "nodes", "follows from cellsAlong"),
             ("mostTries", "places", "giving up follows from it, no mesh"),
+            ("pilotPlaces", "places", "giving up follows from it, no mesh"),
+            ("leastKept", "share of the places", "giving up follows from it, no mesh"),
         ],
     ),
     **fixed(
         "samplers/surfaces/implicit_sampler.cpp",
-        [("mostLines", "times the lines", "giving up follows from it, no mesh")],
+        [
+            ("mostLines", "times the lines", "giving up follows from it, no mesh"),
+            ("leastHit", "share of the lines", "giving up follows from it, no mesh"),
+            ("linesPerReport", "lines", "no mesh follows from it"),
+        ],
     ),
 }
 
@@ -100,11 +113,12 @@ OF_FILES: dict[Key, Entry] = {
     **fixed(
         "samplers/files/point_file_sampler.cpp",
         [
-            ("pilotPoints", "points", "follows from the outlier filter's"),
             ("boundsTolerance", "diagonals", "a header that is not believed costs a pass"),
             ("leastFilled", "share of the diagonal", "a header that is not believed costs a pass"),
             ("pointsPerLook", "points", "no mesh follows from it"),
             ("readsAtOnce", "records", "time follows from it, no mesh"),
+            ("mostPointsJudged", "points", "time follows from it: the same points are drawn"),
+            ("mostDraws", "draws", "giving up follows from it, no mesh"),
         ],
     ),
     **fixed(
@@ -113,6 +127,10 @@ OF_FILES: dict[Key, Entry] = {
     ),
     **fixed(
         "samplers/points/point_cloud_sampler.cpp",
-        [("mostPointsSifted", "points", "time follows from it: the same points are drawn")],
+        [("mostPointsJudged", "points", "time follows from it: the same points are drawn")],
+    ),
+    **fixed(
+        "samplers/points/robust_frame.cpp",
+        [("farAway", "units of the frame", "no cloud is as wide: half and double change nothing")],
     ),
 }

@@ -110,4 +110,28 @@ CLOSING: tuple[Mutant, ...] = (
         "static_cast<void>(mostInformation);",
         ("BoundaryReach.believes_points_that_are_drawn_over_and_over_no_more_than_once",),
     ),
+    Mutant(
+        "one-side-for-all",
+        "each component is turned by itself",
+        "core/mesh/outward.cpp",
+        "        return isCavity ? volumes_[component] > 0 : volumes_[component] < 0;",
+        "        return isCavity && volumes_[component] > 0;",
+        ("Outward.each_component_is_turned_by_itself",),
+    ),
+    Mutant(
+        "cavities-look-out",
+        "the wall of a cavity looks into it",
+        "core/mesh/outward.cpp",
+        "const bool isCavity = enclosing(component) % 2 == 1;",
+        "const bool isCavity = enclosing(component) < 0;",
+        ("Outward.the_wall_of_a_cavity_looks_into_it",),
+    ),
+    Mutant(
+        "volume-about-the-frame",
+        "volume is summed about the mesh itself",
+        "core/mesh/mesh_checks.cpp",
+        "            origins.push_back(mesh.position(v));",
+        "            origins.emplace_back(0, 0, 0);",
+        ("Outward.a_mesh_far_from_the_origin_is_as_one_near_it",),
+    ),
 )

@@ -197,4 +197,20 @@ GROWTH: tuple[Mutant, ...] = (
         "true",
         ("Shapes.a_scan_of_one_side_keeps_its_points_on_the_mesh",),
     ),
+    Mutant(
+        "few-points-are-fitted",
+        "as many vertices as points are put on these",
+        _FIT,
+        "    if (interpolatePoints(network, sampler, random))\n",
+        "    if (false && interpolatePoints(network, sampler, random))\n",
+        ("FewPoints.as_many_vertices_as_points_are_on_the_points",),
+    ),
+    Mutant(
+        "fits-have-no-bounds",
+        "the fit stays near the box of the points",
+        "core/fit/few_points.cpp",
+        "    const Scalar margin = bulge * bounds.Diag();",
+        "    const Scalar margin = 10 * bounds.Diag();",
+        ("FewPoints.no_vertex_is_far_outside_the_box_of_the_points",),
+    ),
 )

@@ -142,7 +142,7 @@ def run(
     arrays, info, snapshots, summary = _grow(opened.target, options, progress)
     meshes = [_with_attributes(mesh, opened, options) for mesh in (*snapshots, arrays)]
     info["seconds"] = time.perf_counter() - begin
-    remark = _core.outlier_remark(opened.target.outlier_share)
+    remark = opened.target.outlier_remark
     if progress is not None:
         progress(1.0, "Done")
     result = meshes.pop()

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samplers/points/pilot_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace neuralmesh {
+
+PilotTree::PilotTree(const std::vector<Point3> &points)
+    : points_(points), wrapper_(points.data(), static_cast<int>(points.size())), tree_(wrapper_)
+{
+}
+
+double PilotTree::distance(const Point3 &point, int k)
+{
+    tree_.doQueryK(point, k + 1, queue_); // the point itself is one
+    double furthest = 0;
+    for (int i = 0; i < queue_.getNofElements(); ++i)
+        furthest = std::max(furthest, static_cast<double>(queue_.getWeight(i)));
+    return std::sqrt(furthest); // weights are squared distances
+}
+
+std::vector<double> PilotTree::distances(int k)
+{
+    std::vector<double> found;
+    found.reserve(points_.size());
+    for (const Point3 &point : points_)
+        found.push_back(distance(point, k));
+    return found;
+}
+
+std::vector<std::size_t> PilotTree::neighbours(std::size_t index, int k)
+{
+    tree_.doQueryK(points_[index], k + 1, queue_);
+    std::vector<std::size_t> others;
+    for (int i = 0; i < queue_.getNofElements(); ++i)
+        if (const auto other = static_cast<std::size_t>(queue_.getIndex(i)); other != index)
+            others.push_back(other);
+    return others;
+}
+
+std::vector<bool> PilotTree::inSmallGroups(double ratio, int k, double most)
+{
+    const std::vector<std::size_t> group = groups(ratio, k);
+    std::vector<int> sizes(points_.size(), 0);
+    for (const std::size_t g : group)
+        ++sizes[g];
+    std::vector<bool> found;
+    found.reserve(group.size());
+    for (const std::size_t g : group)
+        found.push_back(sizes[g] <= most);
+    return found;
+}
+
+/// By point: the one that stands for its group.
+std::vector<std::size_t> PilotTree::groups(double ratio, int k)
+{
+    std::vector<std::size_t> parent(points_.size());
+    std::iota(parent.begin(), parent.end(), std::size_t(0));
+    const auto root = [&](std::size_t i) {
+        while (parent[i] != i)
+            i = parent[i] = parent[parent[i]];
+        return i;
+    };
+    const std::vector<double> reach = distances(k);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        tree_.doQueryK(points_[i], k + 1, queue_);
+        for (int n = 0; n < queue_.getNofElements(); ++n) {
+            const auto other = static_cast<std::size_t>(queue_.getIndex(n));
+            if (std::sqrt(queue_.getWeight(n)) <= ratio * reach[other])
+                parent[root(other)] = root(i);
+        }
+    }
+    for (std::size_t i = 0; i < parent.size(); ++i)
+        parent[i] = root(i);
+    return parent;
+}
+
+} // namespace neuralmesh
