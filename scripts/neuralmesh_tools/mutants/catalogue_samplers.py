@@ -60,7 +60,7 @@ SAMPLERS: tuple[Mutant, ...] = (
         "samplers/points/sparse_parts.cpp",
         "are = majorities(majorities(are, neighbours), neighbours);",
         "",
-        ("OutlierFilter.strays_in_a_plane_by_chance_are_no_part",),
+        ("OutlierFilter.chance_clusters_of_strays_are_no_part",),
     ),
     Mutant(
         "wires-are-strays",
