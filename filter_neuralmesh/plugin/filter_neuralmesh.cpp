@@ -2,6 +2,7 @@
 #include "filter_neuralmesh.h"
 
 #include <chrono>
+#include <cstring>
 
 #include "error_sentences.h"
 #include "filter_descriptions.h"
@@ -16,8 +17,15 @@
 namespace {
 
 /// The host refuses a filter without a class, and puts one into the menu of each class that it
-/// knows: of this one it knows none.
-constexpr auto inNoMenu = static_cast<FilterPlugin::FilterClass>(0x40000000);
+/// knows. Of this bit it knows none, and a cast cannot make it: it is beyond the enumerators.
+FilterPlugin::FilterClass inNoMenu()
+{
+    constexpr int unknown = 1 << 30;
+    FilterPlugin::FilterClass filterClass = FilterPlugin::Generic;
+    static_assert(sizeof filterClass == sizeof unknown, "A host tests its bits as an int.");
+    std::memcpy(&filterClass, &unknown, sizeof unknown);
+    return filterClass;
+}
 
 } // namespace
 
@@ -74,7 +82,7 @@ QString FilterNeuralMesh::filterInfo(ActionIDType filter) const
 FilterPlugin::FilterClass FilterNeuralMesh::getClass(const QAction *action) const
 {
     if (ID(action) == FromLayersByOldName)
-        return inNoMenu;
+        return inNoMenu();
     if (ID(action) == FromLayers)
         return static_cast<FilterClass>(FilterPlugin::Remeshing | FilterPlugin::PointSet);
     return FilterPlugin::MeshCreation;

@@ -71,8 +71,8 @@ def test_every_parameter_has_an_option(ball_file: Path, ball: Points) -> None:
     given = (
         "-n 100 --topology start --start-mesh icosahedron --split-rule paper --edge-flips no "
         "--transfer-attributes no --winner-rate 0.07 --smoothing-rate 0.04 --smoothing-passes 4 "
-        "--signals-per-split 50 --inactivity-factor 20 --threads 2 --counter-decay 0.99 --no-surface-fit "
-        "--boundaries closed --max-hole-size 5% -q"
+        "--signals-per-split 50 --inactivity-factor 20 --threads 2 --counter-decay 0.99 "
+        "--no-surface-fit --boundaries closed --max-hole-size 5% -q"
     )
     assert main([str(ball_file), "-o", str(out), *given.split()]) == 0
     expected = neuralmesh.reconstruct(

@@ -81,8 +81,9 @@ def reconstruct(
         `max_hole_size` (a length in units of the input, or "10 %" of its diagonal), `snapshots`,
         `random_seed`, `surface_fit`, `transfer_attributes`, `start_mesh` (also a pair of arrays:
         vertices and faces of a closed two-manifold), `density_from_quality`, `threads`,
-        `winner_rate`, `smoothing_rate`, `smoothing_passes`, `signals_per_split`, `inactivity_factor`,
-        `counter_decay`, `split_rule`, `edge_flips`. docs/parameters.md says what they do.
+        `winner_rate`, `smoothing_rate`, `smoothing_passes`, `signals_per_split`,
+        `inactivity_factor`, `counter_decay`, `split_rule`, `edge_flips`.
+        docs/parameters.md says what they do.
 
     Returns
     -------
