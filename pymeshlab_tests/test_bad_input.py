@@ -179,7 +179,7 @@ def test_a_count_below_1_is_refused(name: str, value: int) -> None:
 def test_a_count_that_would_take_for_ever_is_refused(name: str, most: int) -> None:
     assert_refused(
         document_of(GOOD_POINTS),
-        f"{name} must be at most {most}, not {most + 1}.",
+        f"{name.lower()} must be at most {most}, not {most + 1}.",
         targetvertnum=10,
         **{name.lower(): most + 1},
     )

@@ -229,10 +229,22 @@ def test_every_parameter_changes_the_result(bunny_array: Points, name: str, valu
     assert not np.array_equal(changed, usual)
 
 
+def test_threads_change_nothing(bunny_array: Points) -> None:
+    alone, _ = mesh_from(bunny_array, targetvertnum=2000, threads=1)
+    for threads in (2, 5):
+        together, _ = mesh_from(bunny_array, targetvertnum=2000, threads=threads)
+        assert np.array_equal(together, alone)
+
+
+def test_a_negative_number_of_threads_is_refused(bunny_points: pymeshlab.MeshSet) -> None:
+    with pytest.raises(pymeshlab.PyMeshLabException, match="threads must be at least 0, not -1"):
+        reconstruct(bunny_points, targetvertnum=100, threads=-1)
+
+
 def test_no_parameter_is_missing_above(bunny_points: pymeshlab.MeshSet) -> None:
     # These have tests of their own: here, in test_layers, test_snapshots, test_starting_meshes,
     # test_point_file, test_attributes.
-    elsewhere = {"targetvertnum", "randomseed", "source", "densityfromquality"}
+    elsewhere = {"targetvertnum", "randomseed", "source", "densityfromquality", "threads"}
     elsewhere |= {
         "snapshots",
         "startmesh",

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "host_versions.h"
+#include "hosts/common/threads.h"
 #include "neuralmesh/errors.h"
 #include "origins.h"
 #include "parameter_names.h"
@@ -34,8 +35,8 @@ void addGrowthParameters(RichParameterList &list)
     const neuralmesh::GrowthParameters d;
     const auto real = [](double value) { return static_cast<Scalarm>(value); };
     list.addParam(RichInt("Threads", d.threads, "Threads",
-                          "Processor cores that share the work; 0 takes all. The mesh is the same "
-                          "for any number.",
+                          "Processor cores that share the work; 0 takes all, or as many as "
+                          "OMP_NUM_THREADS allows. The mesh is the same for any number.",
                           advanced));
     list.addParam(RichFloat("WinnerRate", real(d.winnerRate), "Winner rate",
                             "How far the vertex nearest to a sample moves towards it, as a share "
@@ -267,7 +268,7 @@ neuralmesh::GrowthParameters readGrowthParameters(const RichParameterList &param
     growth.smoothingPasses = parameters.getInt("SmoothingPasses");
     growth.signalsPerSplit = parameters.getInt("SignalsPerSplit");
     growth.inactivityFactor = parameters.getInt("InactivityFactor");
-    growth.threads = parameters.getInt("Threads");
+    growth.threads = neuralmesh::threadsAllowed(parameters.getInt("Threads"));
     growth.counterDecay = parameters.getFloat("CounterDecay");
     growth.splitRule = static_cast<neuralmesh::SplitRule>(parameters.getEnum("SplitRule"));
     growth.surfaceFit = parameters.getBool("SurfaceFit");

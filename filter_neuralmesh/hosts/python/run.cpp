@@ -10,6 +10,7 @@
 #include "arrays.h"
 #include "hosts/common/error_sentences.h"
 #include "hosts/common/reconstruction.h"
+#include "hosts/common/threads.h"
 #include "interruptible.h"
 #include "neuralmesh/attribute_transfer.h"
 #include "target.h"
@@ -79,6 +80,7 @@ nb::tuple run(const Target &target, GrowthParameters parameters, const nb::objec
               const TypedNames &names, const nb::object &progress)
 {
     parameters.maxHoleSize /= target.sampler->frame().diagonal();
+    parameters.threads = threadsAllowed(parameters.threads);
     Run run{target.sampler, std::move(parameters), nullptr};
     if (!start.is_none())
         run.start = std::make_shared<const Mesh>(

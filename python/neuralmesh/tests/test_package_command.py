@@ -44,7 +44,7 @@ def test_a_cloud_becomes_a_mesh(bunny_file: Path, bunny: Points, tmp_path: Path)
     assert run.returncode == 0, run.stderr
     assert run.stdout == "out.ply\n"
     assert "bunny.obj: 28,088 points." in run.stderr
-    assert "1000 vertices, 1996 faces" in run.stderr
+    assert "1,000 vertices, 1,996 faces" in run.stderr
     expected = neuralmesh.reconstruct(bunny, 1000)
     assert np.array_equal(neuralmesh.read(tmp_path / "out.ply").points, expected.vertices)
 

@@ -147,7 +147,7 @@ def test_growth_starts_from_a_mesh_that_is_given(ball: Points) -> None:
 
 def test_a_plane_says_which_parameter_helps() -> None:
     plane = np.random.default_rng(0).random((400, 3)) * [1, 1, 0]
-    with pytest.raises(neuralmesh.InvalidInput, match=r"Set topology=1, which makes a sheet"):
+    with pytest.raises(neuralmesh.InvalidInput, match=r"Use topology=1, which makes a sheet"):
         neuralmesh.reconstruct(plane, 50, topology=0)
 
 

@@ -114,7 +114,10 @@ def test_what_a_sampler_raises_comes_out() -> None:
     ("source", "sentence"),
     [
         (ImplicitSurface("x*x+"), "expr does not parse: .* at position 5"),
-        (ImplicitSurface("x*x+1"), "There is no surface in the box: expr changes its sign"),
+        (
+            ImplicitSurface("x*x+1"),
+            "No surface was found in the box: expr passes through zero nowhere",
+        ),
         (ImplicitSurface(lambda x, y, z: x * x + 1), "There is no surface in the box: the funct"),
         (ImplicitSurface(lambda x, y, z: 1 / np.maximum(x, 0)), "The function is not finite at "),
         (ImplicitSurface(lambda x, y, z: x[:5]), "must return as many values as it is given"),
