@@ -9,28 +9,6 @@
 namespace neuralmesh {
 namespace {
 
-/// Cell of a coordinate, clamped into the grid. Clamping is monotone, so a range of coordinates
-/// never misses the clamped cell of a point inside the range.
-int clampedCell(Scalar coordinate, Scalar origin, Scalar cellsPerUnit, int cells)
-{
-    const Scalar place = (coordinate - origin) * cellsPerUnit;
-    if (!(place > 0))
-        return 0;
-    return place < static_cast<Scalar>(cells) ? static_cast<int>(place) : cells - 1;
-}
-
-/// Blocks are cubes of so many cells along each axis.
-constexpr std::size_t blockSide = 4;
-constexpr std::size_t cellsOfBlock = blockSide * blockSide * blockSide;
-
-std::uint32_t placeInBlock(int x, int y, int z)
-{
-    constexpr auto mask = static_cast<int>(blockSide - 1);
-    return static_cast<std::uint32_t>(((z & mask) * static_cast<int>(blockSide) + (y & mask)) *
-                                          static_cast<int>(blockSide) +
-                                      (x & mask));
-}
-
 double cellsAlong(double extent, double cellSize)
 {
     return std::max(1.0, std::ceil(extent / cellSize));
@@ -43,25 +21,6 @@ VertexGrid::VertexGrid(const Box3 &bounds) : bounds_(bounds)
     layOutCells(1);
 }
 
-VertexGrid::CellCoordinates VertexGrid::coordinates(const Point3 &position) const
-{
-    return {clampedCell(position.X(), bounds_.min.X(), cellsPerUnit_, cellsX_),
-            clampedCell(position.Y(), bounds_.min.Y(), cellsPerUnit_, cellsY_),
-            clampedCell(position.Z(), bounds_.min.Z(), cellsPerUnit_, cellsZ_)};
-}
-
-std::size_t VertexGrid::blockAt(const CellCoordinates &c) const
-{
-    const auto of = [](int cell) { return static_cast<std::size_t>(cell) / blockSide; };
-    return (of(c.z) * blocksY_ + of(c.y)) * blocksX_ + of(c.x);
-}
-
-VertexId VertexGrid::firstIn(const CellCoordinates &c) const
-{
-    const CellId block = blocks_[blockAt(c)];
-    return block == noCell ? noVertex : firstInCell_[block + placeInBlock(c.x, c.y, c.z)];
-}
-
 VertexGrid::CellId VertexGrid::cellAt(const CellCoordinates &c)
 {
     CellId &block = blocks_[blockAt(c)];
@@ -69,7 +28,7 @@ VertexGrid::CellId VertexGrid::cellAt(const CellCoordinates &c)
         block = static_cast<CellId>(firstInCell_.size());
         firstInCell_.resize(firstInCell_.size() + cellsOfBlock, noVertex);
     }
-    return block + placeInBlock(c.x, c.y, c.z);
+    return block + placeInBlock(c);
 }
 
 void VertexGrid::link(VertexId id, CellId cell)
@@ -130,13 +89,12 @@ void VertexGrid::regridIfNeeded()
     if (size_ < 2 * sizeAtRebuild_ + 8)
         return;
     sizeAtRebuild_ = size_;
-    // Cells of half the side hold a quarter of the vertices where these lie on a surface, in eight
-    // times as many cells. Blocks, which are there whether they hold any or not, must stay few.
-    for (;;) {
-        layOutCells(static_cast<std::size_t>(cellsPerVertex_ * static_cast<double>(size_)));
+    // Twice as many cells hold three fifths of the vertices each, where these lie on a surface.
+    // Blocks, which are there whether they hold any or not, must stay few.
+    for (double cells = cellsPerVertex;; cells *= 2) {
+        layOutCells(static_cast<std::size_t>(cells * static_cast<double>(size_)));
         if (linkAll() <= mostInCell || blocks_.size() > size_)
             return;
-        cellsPerVertex_ *= 2;
     }
 }
 
@@ -170,7 +128,7 @@ void VertexGrid::layOutCells(std::size_t cellCount)
     cellsY_ = static_cast<int>(cellsAlong(extent.Y(), high));
     cellsZ_ = static_cast<int>(cellsAlong(extent.Z(), high));
     const auto blocksAlong = [](int cells) {
-        return (static_cast<std::size_t>(cells) + blockSide - 1) / blockSide;
+        return static_cast<std::size_t>((cells + blockSide - 1) / blockSide);
     };
     blocksX_ = blocksAlong(cellsX_);
     blocksY_ = blocksAlong(cellsY_);

@@ -19,7 +19,7 @@ public:
     /// Cells for each vertex at the time of a rebuild, unless cells then hold more vertices, in the
     /// mean of those that hold any, than the latter; findWinner in bench/bench_steps.cpp times it.
     static constexpr double cellsPerVertex = 4;
-    static constexpr double mostInCell = 2.5;
+    static constexpr double mostInCell = 4;
 
     /// Points may lie outside the bounds: they go to the outermost cells, where they cost time
     /// but no exactness.
@@ -77,10 +77,47 @@ private:
 
     class Shells;
 
-    CellCoordinates coordinates(const Point3 &position) const;
-    std::size_t blockAt(const CellCoordinates &c) const;
+    /// Blocks are cubes of so many cells along each axis.
+    static constexpr int blockSide = 4;
+    static constexpr std::size_t cellsOfBlock = 64;
+
+    /// Cell of a coordinate, clamped into the grid. Clamping is monotone, so a range of coordinates
+    /// never misses the clamped cell of a point inside the range.
+    static int clampedCell(Scalar coordinate, Scalar origin, Scalar cellsPerUnit, int cells)
+    {
+        const Scalar place = (coordinate - origin) * cellsPerUnit;
+        if (!(place > 0))
+            return 0;
+        return place < static_cast<Scalar>(cells) ? static_cast<int>(place) : cells - 1;
+    }
+
+    CellCoordinates coordinates(const Point3 &position) const
+    {
+        return {clampedCell(position.X(), bounds_.min.X(), cellsPerUnit_, cellsX_),
+                clampedCell(position.Y(), bounds_.min.Y(), cellsPerUnit_, cellsY_),
+                clampedCell(position.Z(), bounds_.min.Z(), cellsPerUnit_, cellsZ_)};
+    }
+
+    std::size_t blockAt(const CellCoordinates &c) const
+    {
+        const auto of = [](int cell) { return static_cast<std::size_t>(cell / blockSide); };
+        return (of(c.z) * blocksY_ + of(c.y)) * blocksX_ + of(c.x);
+    }
+
+    static CellId placeInBlock(const CellCoordinates &c)
+    {
+        constexpr int mask = blockSide - 1;
+        return static_cast<CellId>(((c.z & mask) * blockSide + (c.y & mask)) * blockSide +
+                                   (c.x & mask));
+    }
+
     /// The first vertex of a cell, or noVertex.
-    VertexId firstIn(const CellCoordinates &c) const;
+    VertexId firstIn(const CellCoordinates &c) const
+    {
+        const CellId block = blocks_[blockAt(c)];
+        return block == noCell ? noVertex : firstInCell_[block + placeInBlock(c)];
+    }
+
     /// The cell, made where it is not there.
     CellId cellAt(const CellCoordinates &c);
     void link(VertexId id, CellId cell);
@@ -100,7 +137,6 @@ private:
     std::size_t blocksX_ = 1, blocksY_ = 1;
     std::vector<CellId> blocks_; ///< the first cell of each block, or noCell
     std::vector<VertexId> firstInCell_;
-    double cellsPerVertex_ = cellsPerVertex;
     std::vector<Entry> entries_;
     std::size_t size_ = 0;
     std::size_t sizeAtRebuild_ = 0;
