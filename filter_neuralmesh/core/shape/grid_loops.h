@@ -15,7 +15,7 @@ template <class Visit>
 void forEachPlanes(Workers &workers, const Grid &grid, int low, int high, const Visit &visit)
 {
     const std::size_t planes = 1 + nodesOfChunk / static_cast<std::size_t>(grid.strideX());
-    workers.forEachChunk(static_cast<std::size_t>(high - low + 1), planes,
+    workers.forEachChunk(static_cast<std::size_t>(high - low) + 1, planes,
                          [&](std::size_t first, std::size_t end, int) {
                              visit(low + static_cast<int>(first), low + static_cast<int>(end));
                          });
