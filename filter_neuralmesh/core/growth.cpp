@@ -14,6 +14,7 @@
 #include "core/network/census.h"
 #include "core/network/growing_network.h"
 #include "core/network/learning_rules.h"
+#include "core/network/stagnation.h"
 #include "core/random_streams.h"
 #include "core/result/convergence.h"
 #include "core/result/error_measure.h"
@@ -56,12 +57,6 @@ constexpr std::size_t signalsPerReport = 10000;
 
 /// Consolidation ends after so many rounds even where each still removes a vertex.
 constexpr int consolidationRounds = 10;
-
-/// Growth has come to a stop where it gains less than this share of its vertices...
-constexpr double leastGain = 0.05;
-/// ...in this many times μ·n signals, in which it would double without collapses (at the paper's
-/// constants, n·μ·5/λ = n splits).
-constexpr int stagnationPeriods = 5;
 
 /// Its outside outwards, with faces.
 void finishMesh(NeuralMesh &mesh)
@@ -156,12 +151,11 @@ private:
 
     void growToTarget()
     {
-        countAtCheck_ = network_.vertexCount();
-        signalsAtCheck_ = network_.signals();
+        Stagnation stagnation(network_, parameters_.signalsPerSplit);
         while (!isComplete()) {
             learnBatch();
             splitMostActive(batch_.size() / static_cast<std::size_t>(network_.signalsPerSplit()));
-            isCrowded_ = isCrowded_ || hasStagnated();
+            isCrowded_ = isCrowded_ || stagnation.isReached();
             if (!isCrowded_ && network_.collapseIsDue())
                 collapseInactive();
         }
@@ -205,11 +199,16 @@ private:
     /// Steps 2 to 4 for one sample after the other, as in the paper.
     void learnOneByOne()
     {
+        const Scalar reach = reachOfBorders();
         VertexId winner = noVertex;
         for (std::size_t i = 0; i < batch_.size(); ++i) {
             winner = network_.findWinner(batch_[i], winner);
-            network_.adapt(winner, batch_[i]);
-            network_.countSignal(winner, batch_[i]);
+            if (isBeyondBorder(network_.mesh(), winner, batch_[i], reach)) {
+                network_.passSignal();
+            } else {
+                network_.adapt(winner, batch_[i]);
+                network_.countSignal(winner, batch_[i]);
+            }
             if (i % signalsPerReport == 0)
                 reportProgress();
         }
@@ -322,19 +321,6 @@ private:
                 wideningForFewPoints(sampler_.pointCount(), network_.vertexCount())};
     }
 
-    bool hasStagnated()
-    {
-        const int count = network_.vertexCount();
-        if (count >= countAtCheck_ * (1 + leastGain)) {
-            countAtCheck_ = count;
-            signalsAtCheck_ = network_.signals();
-        }
-        const std::uint64_t period = network_.inactivityWindow();
-        const auto nominal = static_cast<std::uint64_t>(countAtCheck_ * leastGain + 1) *
-                             static_cast<std::uint64_t>(parameters_.signalsPerSplit);
-        return network_.signals() - signalsAtCheck_ > stagnationPeriods * period + 2 * nominal;
-    }
-
     void reportProgress()
     {
         // Each split takes λ signals, so the share of the vertices is the share of the work.
@@ -361,8 +347,6 @@ private:
     std::vector<Point3> batch_; ///< what was drawn, in order
     GrowthReport report_;
     std::size_t snapshotsTaken_ = 0;
-    double countAtCheck_ = 0;
-    std::uint64_t signalsAtCheck_ = 0;
     /// Whether there are too few points for each vertex to win one. Then idle vertices are kept.
     bool isCrowded_ = false;
 };

@@ -25,6 +25,12 @@ inline bool isBoundaryEdge(const NeuralMesh &mesh, VertexId v, VertexId u)
     return ring.isOpen() && ring.isBoundaryEdge(ring.find(u));
 }
 
+/// Whether a place is further than `reach` from a vertex on a boundary.
+inline bool isBeyondBorder(const NeuralMesh &mesh, VertexId v, const Point3 &place, Scalar reach)
+{
+    return mesh.isOnBoundary(v) && (mesh.position(v) - place).Norm() > reach;
+}
+
 /// Where the longest edge of a boundary starts, of those from the vertices; noVertex without any.
 VertexId startOfLongestBoundaryEdge(const NeuralMesh &mesh, const std::vector<VertexId> &vertices);
 

@@ -42,8 +42,7 @@ BatchLearning::Signal BatchLearning::signal(const SampleLocator &locator, Vertex
 {
     const StarProjection p = locator.project(nearest, sample);
     const VertexId winner = winnerOf(mesh_, nearest, p);
-    if (mesh_.isOnBoundary(winner) &&
-        (mesh_.position(winner) - sample).Norm() > rules.reachOfBorder)
+    if (isBeyondBorder(mesh_, winner, sample, rules.reachOfBorder))
         return {noVertex, 0};
     return {winner, std::sqrt(residualFromSurface(mesh_, p).Norm())};
 }

@@ -105,6 +105,9 @@ public:
     /// and 7).
     void countSignal(VertexId winner, const Point3 &sample);
 
+    /// A signal that nothing is learned from.
+    void passSignal() { ++signals_; }
+
     /// Steps 2 to 4 for all samples at once. Nothing is learned from those further than `reach`
     /// from a winner on a boundary.
     void learn(const std::vector<Point3> &samples, Scalar reach);

@@ -19,7 +19,7 @@ StarProjection projectOnSheets(const NeuralMesh &mesh, const VertexGrid &grid, V
 /// How far around a sample other sheets are looked for, given its nearest vertex.
 Scalar reachForSheets(const NeuralMesh &mesh, VertexId nearest, const Point3 &sample);
 
-/// Answers as the grid does and as projectOnSheets() does, to the last bit, and several times
+/// Answers as the grid does and as projectOnSheets() does, to the last bit, and
 /// faster: it knows of each vertex how far from it all those are that are no neighbours of it. A
 /// vertex that is nearer to a sample than all its neighbours, and than half of that, is the nearest
 /// of all; and where no other comes within reach of the sample, there is no other sheet.
@@ -38,7 +38,7 @@ public:
     /// which seldom hold a nearer face than its own. For measuring.
     StarProjection projectExactly(VertexId nearest, const Point3 &sample) const;
 
-    /// Calls take(i, nearest, worker) for every sample, on the workers' threads, with the vertex
+    /// Calls take(i, nearest) for every sample, on the workers' threads, with the vertex
     /// nearest to it. Samples that follow each other should be near each other.
     template <class Take>
     void forEachNearest(Workers &workers, const std::vector<Point3> &samples,

@@ -174,19 +174,22 @@ TEST(Closing, adds_no_more_than_there_is_room_for)
 /// A hair of points from the border of the sheet outwards, too long and thin for a surface.
 TEST(Borders, do_not_follow_strays)
 {
-    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
-        WorldPoints points = sheet(5000);
-        Random random(seed);
-        for (int i = 0; i < 30; ++i) {
-            const vcg::Point3d p = test::inUnitCube(random);
-            points.emplace_back(1 + 0.4 * p.X(), 0.5 + 0.02 * p.Y(), 0.1 + 0.01 * p.Z());
+    // One by one and by batches.
+    for (const SplitRule rule : {SplitRule::paper, SplitRule::balanced})
+        for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+            WorldPoints points = sheet(5000);
+            Random random(seed);
+            for (int i = 0; i < 30; ++i) {
+                const vcg::Point3d p = test::inUnitCube(random);
+                points.emplace_back(1 + 0.4 * p.X(), 0.5 + 0.02 * p.Y(), 0.1 + 0.01 * p.Z());
+            }
+            const PointCloudSampler sampler(points);
+            GrowthParameters parameters = closed(1000, seed);
+            parameters.boundaries = BoundaryRule::open;
+            parameters.splitRule = rule;
+            NeuralMesh mesh;
+            EXPECT_LT(grow(mesh, sampler, parameters).unsupportedArea, 0.06) << seed;
         }
-        const PointCloudSampler sampler(points);
-        GrowthParameters parameters = closed(1000, seed);
-        parameters.boundaries = BoundaryRule::open;
-        NeuralMesh mesh;
-        EXPECT_LT(grow(mesh, sampler, parameters).unsupportedArea, 0.06) << seed;
-    }
 }
 
 /// What the start has beyond the border would have to go while the network grows.

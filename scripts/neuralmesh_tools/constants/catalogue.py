@@ -179,7 +179,7 @@ _OF_GROWTH = {
         ],
     ),
     **swept(
-        _GROWTH,
+        "core/network/stagnation.h",
         SPARSE,
         [
             ("leastGain", "0.025", "0.1", "share of the vertices"),

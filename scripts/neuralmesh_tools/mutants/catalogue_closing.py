@@ -23,6 +23,14 @@ CLOSING: tuple[Mutant, ...] = (
         ("Borders.do_not_follow_strays",),
     ),
     Mutant(
+        "borders-follow-strays-one-by-one",
+        "samples far beyond a border are passed over by the paper's rules, too",
+        "core/growth.cpp",
+        "if (isBeyondBorder(network_.mesh(), winner, batch_[i], reach)) {",
+        "if (reach < 0) {",
+        ("Borders.do_not_follow_strays",),
+    ),
+    Mutant(
         "trimming-tears",
         "trimming a border tears nothing off",
         "core/shape/border_trimming.cpp",
