@@ -30,6 +30,12 @@ constexpr int lastCells = 256;
 /// A surface that explains all points but so many says all that they do. Holes that are narrower
 /// than two cells are filled, with their walls inside.
 constexpr double mostUnexplained = 0.005;
+/// A finer surface that explains fewer is of their noise where it leaves more than that
+/// unexplained: of normally distributed ones, so many are further away than their standard
+/// deviation.
+constexpr double mostNoise = 0.32;
+/// And already from there, where its levels do not agree, and those of the coarser one do.
+constexpr double doubtfulNoise = 0.1;
 /// On the last grid the points are at most so many cells apart: fewer do not fill its surface.
 constexpr double widestSpacing = 0.9;
 
@@ -157,13 +163,18 @@ public:
     {
         learn(firstSmoothings);
         Reading reading = read();
+        Reading persistent = reading;
         isStable_ = isSheet_ && reading.shape.votes >= clearVotes;
         while (!isFineEnough(reading)) {
             Reading coarser = std::move(reading);
+            if (coarser.shape.votes >= fewestVotes)
+                persistent = coarser;
             field_.refine();
             ++grid_;
             learn(finerSmoothings);
             reading = read();
+            if (isOfNoise(reading.shape, coarser.shape))
+                return judge(persistent);
             const int votes = reading.shape.votes;
             const bool isSame = reading.surface().hasShapeOf(coarser.surface());
             isUnanimous_ = isSame && std::min(votes, coarser.shape.votes) == allVotes;
@@ -200,6 +211,13 @@ private:
 
     int resolution() const { return field_.field().resolution(); }
     bool isLast() const { return resolution() == lastCells; }
+
+    static bool isOfNoise(const ShapeReading &finer, const ShapeReading &coarser)
+    {
+        const bool isDoubtful = finer.votes < fewestVotes && coarser.votes >= clearVotes;
+        return finer.unexplainedShare >
+               std::max(isDoubtful ? doubtfulNoise : mostNoise, coarser.unexplainedShare);
+    }
 
     /// A start of more faces than the grid has cells on the surface can hold handles that fall
     /// between its nodes.

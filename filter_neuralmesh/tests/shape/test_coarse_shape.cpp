@@ -326,6 +326,46 @@ TEST(CoarseShape, is_of_a_finer_grid_where_it_leaves_points_unexplained)
     EXPECT_EQ(shape.genus, 9);
 }
 
+/// A bar of 40 x 20 x `height` with two slits through it, with normally distributed noise of so
+/// many hundredths of its length, and strays in its box.
+test::Points slitBar(int height, std::size_t count, double noise, int strays)
+{
+    const auto isSolid = [&](int x, int y, int z) {
+        const bool isSlit = (x >= 8 && x < 11) || (x >= 29 && x < 32);
+        return z < height && y < 20 && !(isSlit && y > 6 && y < 13);
+    };
+    test::Points points = test::latticePoints(count, 40, isSolid, 1);
+    Box3 box;
+    for (const Point3 &p : points)
+        box.Add(p);
+    points = test::withNoise(points, noise / 100 * box.DimX(), 5);
+    Random random(5);
+    for (int i = 0; i < strays; ++i)
+        points.push_back(box.min + Point3(random.unit() * box.DimX(), random.unit() * box.DimY(),
+                                          random.unit() * box.DimZ()));
+    return points;
+}
+
+TEST(CoarseShape, is_not_of_a_grid_whose_cells_are_smaller_than_the_noise)
+{
+    NeuralMesh mesh;
+    const CoarseShape shape = shapeOf(slitBar(8, 20000, 2, 0), mesh);
+    EXPECT_EQ(shape.cells, 32);
+    EXPECT_TRUE(shape.isTrusted);
+    EXPECT_EQ(shape.components, 1);
+    EXPECT_EQ(shape.genus, 2);
+}
+
+TEST(CoarseShape, is_not_of_a_grid_whose_levels_noise_and_strays_part)
+{
+    NeuralMesh mesh;
+    const CoarseShape shape = shapeOf(slitBar(5, 10000, 0.75, 600), mesh);
+    EXPECT_EQ(shape.cells, 64);
+    EXPECT_TRUE(shape.isTrusted);
+    EXPECT_EQ(shape.components, 1);
+    EXPECT_EQ(shape.genus, 2);
+}
+
 TEST(CoarseShape, of_a_single_place_is_none)
 {
     NeuralMesh mesh;

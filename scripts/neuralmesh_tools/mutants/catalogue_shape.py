@@ -184,6 +184,22 @@ SHAPE: tuple[Mutant, ...] = (
         ("CoarseShape.is_of_a_finer_grid_where_it_leaves_points_unexplained",),
     ),
     Mutant(
+        "noise-is-resolved",
+        "a grid whose cells are smaller than the noise says nothing about the shape",
+        _SHAPE,
+        "constexpr double mostNoise = 0.32;",
+        "constexpr double mostNoise = 1;",
+        ("CoarseShape.is_not_of_a_grid_whose_cells_are_smaller_than_the_noise",),
+    ),
+    Mutant(
+        "noise-parts-levels",
+        "where noise parts the levels, the coarser grid's shape stays, on which they agree",
+        _SHAPE,
+        "constexpr double doubtfulNoise = 0.1;",
+        "constexpr double doubtfulNoise = 1;",
+        ("CoarseShape.is_not_of_a_grid_whose_levels_noise_and_strays_part",),
+    ),
+    Mutant(
         "all-is-clear",
         "a shape on which levels and grids disagree is told",
         _SHAPE,
