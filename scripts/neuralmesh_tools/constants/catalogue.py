@@ -243,6 +243,7 @@ _OF_FIT = {
             ("noiseInBending", "3", "12", "variances"),
             ("leastBendingInNoise", "0.1", "0.4", "share of the variance"),
             ("mostBendingInNoise", "2.5", "10", "medians"),
+            ("sweepsAfterGrowth", "1", "6", "sweeps"),
         ],
     ),
     **swept(_FIT, OUTLIERS, [("outlyingRatio", "1.5", "6", "local means")]),

@@ -126,6 +126,14 @@ GROWTH: tuple[Mutant, ...] = (
         ("Limbs.a_sample_between_the_feet_does_not_hold_a_web",),
     ),
     Mutant(
+        "growth-bends",
+        "in noise, the fit first smooths what growth has made",
+        _FIT,
+        "constexpr int sweepsAfterGrowth = 3;",
+        "constexpr int sweepsAfterGrowth = 0;",
+        ("SurfaceFit.smooths_what_growth_made_of_noise_of_more_than_half_an_edge",),
+    ),
+    Mutant(
         "no-exchange",
         "irregular vertices are exchanged between sweeps of the fit",
         _FIT,

@@ -31,6 +31,7 @@ CONDITIONS: dict[str, Condition] = {
     "clean": Condition("clean"),
     "noise0.2": Condition("σ = 0.2 %", noise=0.002),
     "noise0.5": Condition("σ = 0.5 %", noise=0.005),
+    "noise1": Condition("σ = 1 %", noise=0.01),
     "outliers": Condition("σ = 0.5 % + 5 % outliers", noise=0.005, outliers=0.05),
     "uneven": Condition("density 10 : 1", density_ratio=10),
     "sparse": Condition("3,000 points, 1,500 vertices", points=3_000, vertices=1_500),
