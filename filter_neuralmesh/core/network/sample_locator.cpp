@@ -16,7 +16,7 @@ constexpr Scalar sheetDistance = 0.8;
 
 /// Clearances are looked for so far, in the same lengths. Most samples lie within half a length of
 /// their nearest vertex: with the distance above, further would tell nothing more.
-constexpr Scalar farthestClearance = 1.6;
+constexpr Scalar farthestClearance = 1.4;
 
 /// A distance must be so much less than another to be less however both are rounded.
 constexpr Scalar rounding = 1 - 1e-9;
