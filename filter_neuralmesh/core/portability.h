@@ -12,6 +12,9 @@ inline constexpr bool hostIsBigEndian = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
 inline constexpr bool hostIsBigEndian = false;
 #endif
 
+/// M_PI, which not every <cmath> has.
+inline constexpr double pi = 3.14159265358979323846;
+
 /// Asks the memory for what will be read soon. Changes nothing but the time.
 inline void prefetch([[maybe_unused]] const void *address)
 {

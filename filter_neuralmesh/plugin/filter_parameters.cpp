@@ -248,7 +248,7 @@ RichParameterList parametricParameters(const MeshDocument &document)
     list.addParam(RichString("x", "cos(u)*sin(v)", "x =", meaning));
     list.addParam(RichString("y", "sin(u)*sin(v)", "y =", meaning));
     list.addParam(RichString("z", "cos(v)", "z =", meaning));
-    const auto pi = static_cast<Scalarm>(M_PI);
+    const auto pi = static_cast<Scalarm>(3.14159265358979323846); // not every <cmath> has M_PI
     const QString range = "Range of the parameter. Where it does not close, the surface has a "
                           "boundary.";
     list.addParam(RichFloat("minU", 0, "Min U", range));

@@ -7,6 +7,7 @@
 #include "core/mesh/enumeration.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_topology.h"
+#include "core/portability.h"
 
 namespace neuralmesh {
 namespace {
@@ -71,7 +72,7 @@ private:
         });
         int found = 0;
         for (const double angle : angles)
-            found += std::abs(angle) > 2 * M_PI ? 1 : 0; // 4 pi inside, 0 outside
+            found += std::abs(angle) > 2 * pi ? 1 : 0; // 4 pi inside, 0 outside
         return found;
     }
 

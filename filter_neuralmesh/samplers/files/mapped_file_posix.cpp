@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// By POSIX calls.
 #include "samplers/files/mapped_file.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
-#include <utility>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -15,36 +16,17 @@
 namespace neuralmesh {
 namespace {
 
-/// Closes a descriptor on the way out, unless it is released.
-class OpenFile {
-public:
-    explicit OpenFile(const char *path) : descriptor_(open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK))
-    {
-        if (descriptor_ < 0)
-            throw InvalidInput(std::string("the file cannot be opened: ") + std::strerror(errno) +
-                               ".");
-    }
-    ~OpenFile()
-    {
-        if (descriptor_ >= 0)
-            close(descriptor_);
-    }
-    OpenFile(const OpenFile &) = delete;
-    OpenFile &operator=(const OpenFile &) = delete;
-
-    int descriptor() const { return descriptor_; }
-    int release() { return std::exchange(descriptor_, -1); }
-
-private:
-    int descriptor_;
-};
+[[noreturn]] void refuse(const char *what)
+{
+    throw InvalidInput(std::string("the file cannot be ") + what + ": " + std::strerror(errno) +
+                       ".");
+}
 
 struct stat statusOf(int descriptor)
 {
     struct stat status = {};
     if (fstat(descriptor, &status) != 0)
-        throw InvalidInput(std::string("the file cannot be looked at: ") + std::strerror(errno) +
-                           ".");
+        refuse("looked at");
     return status;
 }
 
@@ -55,29 +37,39 @@ std::int64_t modificationTime(const struct stat &status)
 
 } // namespace
 
-MappedFile::MappedFile(const std::string &path)
+struct MappedFile::OpenFile {
+    /// Not blocking: a pipe without a writer would never open.
+    explicit OpenFile(const char *path) : descriptor(open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK))
+    {
+        if (descriptor < 0)
+            refuse("opened");
+    }
+    ~OpenFile() { close(descriptor); }
+    OpenFile(const OpenFile &) = delete;
+    OpenFile &operator=(const OpenFile &) = delete;
+
+    int descriptor;
+    std::int64_t modified = 0; ///< in nanoseconds
+};
+
+MappedFile::MappedFile(const std::string &path) : file_(std::make_unique<OpenFile>(path.c_str()))
 {
-    // Not blocking: a pipe without a writer would never open.
-    OpenFile file(path.c_str());
-    const struct stat status = statusOf(file.descriptor());
+    const struct stat status = statusOf(file_->descriptor);
     if (!S_ISREG(status.st_mode))
         throw InvalidInput("it is no ordinary file but a folder, a pipe or a device.");
     if (status.st_size == 0)
         throw InvalidInput("the file is empty.");
     const auto size = static_cast<std::size_t>(status.st_size);
-    void *const start = mmap(nullptr, size, PROT_READ, MAP_SHARED, file.descriptor(), 0);
+    void *const start = mmap(nullptr, size, PROT_READ, MAP_SHARED, file_->descriptor, 0);
     if (start == MAP_FAILED)
-        throw InvalidInput(std::string("the file cannot be mapped into memory: ") +
-                           std::strerror(errno) + ".");
+        refuse("mapped into memory");
     bytes_ = {static_cast<const unsigned char *>(start), size};
-    modified_ = modificationTime(status);
-    descriptor_ = file.release();
+    file_->modified = modificationTime(status);
 }
 
 MappedFile::~MappedFile()
 {
     munmap(const_cast<unsigned char *>(bytes_.data), bytes_.size);
-    close(descriptor_);
 }
 
 void MappedFile::expectPass() const
@@ -92,9 +84,9 @@ void MappedFile::expectRandomReads() const
 
 bool MappedFile::hasChanged() const
 {
-    const struct stat status = statusOf(descriptor_);
+    const struct stat status = statusOf(file_->descriptor);
     return static_cast<std::size_t>(status.st_size) != bytes_.size ||
-           modificationTime(status) != modified_;
+           modificationTime(status) != file_->modified;
 }
 
 } // namespace neuralmesh
