@@ -2,6 +2,12 @@
 // What compilers differ in. No other file asks for the compiler.
 #pragma once
 
+#include <cmath>
+
+#ifndef M_PI // which the standard does not know
+#define M_PI 3.14159265358979323846
+#endif
+
 namespace neuralmesh {
 
 /// Whether the highest byte of a number comes first in memory. Compilers that do not say so are
@@ -11,9 +17,6 @@ inline constexpr bool hostIsBigEndian = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
 #else
 inline constexpr bool hostIsBigEndian = false;
 #endif
-
-/// M_PI, which not every <cmath> has.
-inline constexpr double pi = 3.14159265358979323846;
 
 /// Asks the memory for what will be read soon. Changes nothing but the time.
 inline void prefetch([[maybe_unused]] const void *address)

@@ -72,7 +72,7 @@ private:
         });
         int found = 0;
         for (const double angle : angles)
-            found += std::abs(angle) > 2 * pi ? 1 : 0; // 4 pi inside, 0 outside
+            found += std::abs(angle) > 2 * M_PI ? 1 : 0; // 4 pi inside, 0 outside
         return found;
     }
 
