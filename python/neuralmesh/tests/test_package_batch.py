@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -16,6 +17,8 @@ import pytest
 import trimesh
 from neuralmesh.command import main
 from point_files import WRITERS, Points, ply
+
+from neuralmesh_tools.project import ROOT
 
 VERTICES = 200
 # WRITERS has one for each format; these are written beside them.
@@ -146,6 +149,20 @@ def test_what_cannot_work_is_said_before_anything_runs(
     assert code == 2
     assert sentence in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("name", ["batch", "compare"])
+def test_options_that_a_document_explains_are_there(
+    name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (ROOT / f"docs/{name}.md").read_text("utf-8")
+    rows = re.findall(r"^\| `(--[\w-]+).*?\| (.*)", text, re.MULTILINE)
+    explained = [option for option, words in rows if not words.startswith("of `scripts/")]
+    with pytest.raises(SystemExit):
+        main([name, "--help"])
+    shown = capsys.readouterr().out
+    assert len(explained) >= 6
+    assert [option for option in explained if option not in shown] == []
 
 
 def test_a_long_name_and_a_full_list(small_ball: Points, tmp_path: Path) -> None:
