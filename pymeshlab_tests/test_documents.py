@@ -44,6 +44,7 @@ ELSEWHERE = {
     "cmake --build": "scripts/build",
     "cmake -G Ninja": "by hand, at each release: it needs another PyMeshLab",
     "NEURALMESH_PLUGIN=": "by hand, at each release: it needs another PyMeshLab",
+    "WINEPREFIX=": "by hand: scripts/test_windows does the same by CTest",
     ".venv/bin/dask": "test_batch_cluster.py",
     ".venv/bin/python -m pytest": "scripts/test",
     "pip install build/python/wheel/": "python/neuralmesh/tests/test_package_installed.py",

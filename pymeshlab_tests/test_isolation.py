@@ -7,12 +7,14 @@ import ctypes
 import os
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
 import psutil
+import pytest
 
-from neuralmesh_tools.isolation import IsolatedProcess
+from neuralmesh_tools.isolation import IsolatedProcess, Stopped
 
 MEGABYTE = 2**20
 
@@ -178,3 +180,19 @@ def test_the_process_dies_with_its_parent():
         parent.kill()
         parent.wait()
     child.wait(timeout=20)  # raises if it lives on
+
+
+def test_a_call_is_stopped_from_another_thread_and_its_process_is_gone():
+    stop = threading.Event()
+    with IsolatedProcess() as process:
+        assert process.call(add, 1, 2, stop=stop).value == 3
+        pid = process.pid
+        timer = threading.Timer(0.1, stop.set)
+        timer.start()
+        with pytest.raises(Stopped):
+            process.call(hang_in_c, stop=stop)
+        timer.join()
+        assert pid is not None
+        assert not psutil.pid_exists(pid)
+        stop.clear()
+        assert process.call(add, 2, 3, stop=stop).value == 5

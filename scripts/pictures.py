@@ -4,6 +4,8 @@
 
     pictures.py                   all, into docs/pictures/
     pictures.py --out out growth  one of them, somewhere else
+    pictures.py --report out/compare/report.html --screen out/desktop/result.png
+                                  of screens: compare.py in Chromium, MeshLab by test_desktop
 
 Models are fetched as by datasets.py. Exit codes: 0 done, 1 the plugin or a model could not be had,
 2 usage.

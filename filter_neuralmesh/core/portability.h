@@ -2,6 +2,12 @@
 // What compilers differ in. No other file asks for the compiler.
 #pragma once
 
+#include <cmath>
+
+#ifndef M_PI // which the standard does not know
+#define M_PI 3.14159265358979323846
+#endif
+
 namespace neuralmesh {
 
 /// Whether the highest byte of a number comes first in memory. Compilers that do not say so are

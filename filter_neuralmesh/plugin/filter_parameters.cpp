@@ -140,13 +140,14 @@ void addTopologyParameters(RichParameterList &list, const MeshDocument &document
                            "in the paper."));
     list.addParam(RichEnum("Boundaries", static_cast<int>(d.boundaries), {"Closed", "Open"},
                            "Boundaries",
-                           "With a learned topology: closed is watertight, holes in the data are "
-                           "filled, and an open sheet becomes two back to back; open has no "
-                           "surface where there are no points."));
+                           "Closed is watertight, holes in the data are filled, and an open sheet "
+                           "becomes two back to back; open has no surface where there are no "
+                           "points. Without effect unless the topology is learned."));
     list.addParam(RichPercentage("MaxHoleSize", defaultHoleSize(document), 0, diagonalOf(document),
                                  "Maximal hole size",
-                                 "With open boundaries: smaller gaps in the data are closed. In "
-                                 "per cent of the diagonal of the document's bounding box."));
+                                 "Smaller gaps in the data are closed. In per cent of the diagonal "
+                                 "of the document's bounding box. Without effect unless the "
+                                 "topology is learned."));
 }
 
 void addStartParameters(RichParameterList &list, const MeshDocument &document)
@@ -154,15 +155,17 @@ void addStartParameters(RichParameterList &list, const MeshDocument &document)
     const neuralmesh::GrowthParameters d;
     const MeshModel *current = document.mm();
     const auto startLayer = static_cast<unsigned int>(current == nullptr ? 0 : current->id());
-    list.addParam(RichEnum(
-        "StartMesh", static_cast<int>(d.startMesh),
-        {"Tetrahedron", "Octahedron", "Icosahedron", "A layer", "From the data"}, "Starting mesh",
-        "What the network grows from, and whose topology the result has. With a learned topology "
-        "it grows from the data, not from the tetrahedron.",
-        advanced));
+    list.addParam(RichEnum("StartMesh", static_cast<int>(d.startMesh),
+                           {"Tetrahedron", "Octahedron", "Icosahedron", "A layer", "From the data"},
+                           "Starting mesh",
+                           "What the network grows from, and whose topology the result has. The "
+                           "tetrahedron is without "
+                           "effect where the topology is learned: growth starts from the data.",
+                           advanced));
     list.addParam(RichMesh("StartLayer", startLayer, &document, "Starting layer",
-                           "With a layer as the starting mesh: a closed two-manifold, with as many "
-                           "handles and components as the result shall have, roughly in place.",
+                           "A closed two-manifold, with as many handles and components as the "
+                           "result shall have, roughly in place. Without effect unless the "
+                           "starting mesh is a layer.",
                            advanced));
 }
 
@@ -199,15 +202,16 @@ RichParameterList reconstructionParameters(const MeshDocument &document)
                            "disk is not loaded, however large it is."));
     list.addParam(RichFileOpen("PointFile", "", {"*.ply *.las *.npy", "*.ply", "*.las", "*.npy"},
                                "Point file",
-                               "With a point file as the Source: binary PLY, LAS, or NumPy's NPY "
-                               "(N by 3, float32 or float64), read in place. No layer is needed. "
-                               "Colours and other properties of the file are not looked at."));
+                               "Binary PLY, LAS, or NumPy's NPY (N by 3, float32 or float64), read "
+                               "in place. No layer is needed. Colours and other properties of the "
+                               "file are not looked at. To be empty unless the Source is a point "
+                               "file."));
     addTopologyParameters(list, document);
     addCommonParameters(list);
     list.addParam(RichBool("TransferAttributes", true, "Transfer attributes",
                            "Gives the result the vertex colours and quality of the input's layers, "
                            "where they have any: averaged over the points nearest to each vertex. "
-                           "Those of a point file are not looked at."));
+                           "Without effect where the Source is a point file."));
     addStartParameters(list, document);
     list.addParam(RichBool("DensityFromQuality", false, "Density from quality",
                            "Samples points in proportion to vertex quality, so that vertices go "
@@ -244,7 +248,7 @@ RichParameterList parametricParameters(const MeshDocument &document)
     list.addParam(RichString("x", "cos(u)*sin(v)", "x =", meaning));
     list.addParam(RichString("y", "sin(u)*sin(v)", "y =", meaning));
     list.addParam(RichString("z", "cos(v)", "z =", meaning));
-    const auto pi = static_cast<Scalarm>(M_PI);
+    const auto pi = static_cast<Scalarm>(3.14159265358979323846); // not every <cmath> has M_PI
     const QString range = "Range of the parameter. Where it does not close, the surface has a "
                           "boundary.";
     list.addParam(RichFloat("minU", 0, "Min U", range));

@@ -2,14 +2,12 @@
 // Valid point files of each format, written byte by byte, that the tests read or break.
 #pragma once
 
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 #include "samplers/files/mapped_file.h"
 #include "tests/points_for_tests.h"
@@ -105,27 +103,38 @@ inline std::string lasOf(const WorldPoints &points, int minor, const vcg::Point3
 /// A file of its own in the system's folder for such, removed at the end.
 class TemporaryFile {
 public:
-    explicit TemporaryFile(const std::string &content)
+    /// name: the beginning of its name, in UTF-8.
+    explicit TemporaryFile(const std::string &content, const std::string &name = "neuralmesh")
     {
-        std::string name = (std::filesystem::temp_directory_path() / "neuralmesh.XXXXXX").string();
-        const int descriptor = mkstemp(name.data());
-        if (descriptor >= 0)
-            close(descriptor);
-        path_ = name;
+        std::random_device device;
+        const std::string own = std::to_string(device()) + std::to_string(device());
+        path_ = std::filesystem::temp_directory_path() / std::filesystem::u8path(name + "." + own);
         write(content);
     }
-    ~TemporaryFile() { std::filesystem::remove(path_); }
+    ~TemporaryFile()
+    {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+    }
     TemporaryFile(const TemporaryFile &) = delete;
     TemporaryFile &operator=(const TemporaryFile &) = delete;
 
-    void write(const std::string &content) const
+    /// Whether it was written: Windows refuses to cut a file that is mapped.
+    bool write(const std::string &content) const
     {
-        std::ofstream(path_, std::ios::binary) << content;
+        std::ofstream stream(path_, std::ios::binary);
+        stream << content;
+        return stream.good();
     }
-    const std::string &path() const { return path_; }
+    /// Write over what there is, without cutting the file first.
+    void overwrite(const std::string &content) const
+    {
+        std::fstream(path_, std::ios::binary | std::ios::in | std::ios::out) << content;
+    }
+    std::string path() const { return path_.u8string(); }
 
 private:
-    std::string path_;
+    std::filesystem::path path_;
 };
 
 } // namespace neuralmesh::test

@@ -13,5 +13,6 @@ command_line.py  options that several programs have
 
 And one package a program: quality/ and benchmarks/ (benchmark.py), comparison/ (compare.py),
 batching/ (batch.py), paper/ (reproduce_paper.py), desktop/ (test_desktop), release/ (release);
-quickstart.py is run by scripts/quickstart.
+quickstart.py is run by scripts/quickstart. comparison/, batching/ and what they need are in the
+wheel of the package neuralmesh too, for `neuralmesh batch` and `neuralmesh compare`.
 """

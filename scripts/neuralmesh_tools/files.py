@@ -10,6 +10,7 @@ from pathlib import Path
 
 # What file systems hold of a name, in bytes, less what somebody may put behind it (".mtl").
 LONGEST_NAME = 250
+BYTES_AT_A_TIME = 1 << 20
 
 
 def write_in_one_step(path: Path, content: str | bytes) -> None:
@@ -34,8 +35,11 @@ def write_in_one_step(path: Path, content: str | bytes) -> None:
 
 def sha256_of(path: Path) -> str:
     """Return a file's SHA-256; raises OSError if it cannot be read."""
+    digest = hashlib.sha256()
     with path.open("rb") as stream:
-        return hashlib.file_digest(stream, "sha256").hexdigest()
+        while part := stream.read(BYTES_AT_A_TIME):
+            digest.update(part)
+    return digest.hexdigest()
 
 
 def shown(text: object) -> str:

@@ -5,7 +5,7 @@ The process is spawned, not forked, and kept for the calls that follow, because 
 takes longer than many a reconstruction. It is replaced after every call that did not return (an
 exception inside PyMeshLab leaves the C++ standard output redirected) and after a number of calls
 (PyMeshLab leaks). Works inside Dask workers, whose daemonic processes multiprocessing refuses
-children.
+children, and in threads.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ import pkgutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -33,6 +34,12 @@ START_TIMEOUT = 120.0
 # A call that waits instead of computing is given up after so many times its limit, by the clock.
 WAITING_FACTOR = 10.0
 PR_SET_PDEATHSIG = 1
+# The modules beside this one are no top-level modules.
+NO_SCRIPT_FOLDER = ["-P"] if sys.version_info >= (3, 11) else []
+
+
+class Stopped(RuntimeError):
+    """The caller stopped a call before its end."""
 
 
 @dataclass(frozen=True)
@@ -91,6 +98,7 @@ class IsolatedProcess:
         memory_limit: int = 0,
         log: Path | None = None,
         folder: Path | None = None,
+        stop: threading.Event | None = None,
     ) -> Outcome:
         """Call a module's function with arguments that can be pickled.
 
@@ -99,7 +107,8 @@ class IsolatedProcess:
         computes, all threads together, which a busy machine does not change (and ten times as many
         of the wall clock, for a call that hangs); memory_limit in bytes of resident size, 0 for
         none, looked at every 20 ms. What the call prints, C++ included, goes to the end of log,
-        else nowhere. folder becomes the working directory.
+        else nowhere. folder becomes the working directory. When another thread sets stop, the
+        process is killed within 20 ms, and Stopped is raised.
         """
         for _ in range(2):
             process, pipe = self._running()
@@ -112,7 +121,11 @@ class IsolatedProcess:
             return Outcome("crashed", None, "The process could not be started.", 0.0, 0)
         self._calls += 1
         timeout = min(timeout, WAITING_FACTOR * cpu_timeout)
-        outcome = self._await(process, pipe, timeout, cpu_timeout, memory_limit)
+        try:
+            outcome = self._await(process, pipe, timeout, cpu_timeout, memory_limit, stop)
+        except Stopped:
+            self.close()
+            raise
         if not outcome.ok or self._calls >= self._recycle_after:
             self.close()
         return outcome
@@ -130,8 +143,12 @@ class IsolatedProcess:
         if self._process is None or self._pipe is None:
             self._pipe, theirs = Pipe()
             self._process = subprocess.Popen(
-                # -P: the modules beside this one are no top-level modules.
-                [sys.executable, "-P", str(Path(__file__).resolve()), str(theirs.fileno())],
+                [
+                    sys.executable,
+                    *NO_SCRIPT_FOLDER,
+                    str(Path(__file__).resolve()),
+                    str(theirs.fileno()),
+                ],
                 env={**os.environ, **_readable_names(), **self._environment},
                 pass_fds=[theirs.fileno()],
                 stdin=subprocess.DEVNULL,
@@ -149,11 +166,14 @@ class IsolatedProcess:
         timeout: float,
         cpu_timeout: float,
         memory_limit: int,
+        stop: threading.Event | None,
     ) -> Outcome:
         start, allowed, peak = time.perf_counter(), START_TIMEOUT, 0
         cpu_allowed, cpu_before = float("inf"), 0.0
         watched = psutil.Process(process.pid)
         while True:
+            if stop is not None and stop.is_set():
+                raise Stopped("It was stopped.")
             seconds = time.perf_counter() - start
             try:
                 if pipe.poll(max(0.0, min(WATCH_INTERVAL, allowed - seconds))):
@@ -190,7 +210,7 @@ def _readable_names() -> dict[str, str]:
 
     Under LC_ALL=C it takes each letter that is not ASCII for a question mark.
     """
-    encoding = locale.getencoding().lower().replace("-", "")
+    encoding = locale.nl_langinfo(locale.CODESET).lower().replace("-", "")
     return {} if encoding == "utf8" else {"LC_ALL": "C.UTF-8"}
 
 

@@ -7,6 +7,7 @@
 #include "core/mesh/enumeration.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_topology.h"
+#include "core/portability.h"
 
 namespace neuralmesh {
 namespace {

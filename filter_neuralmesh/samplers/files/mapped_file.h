@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <string>
 
 namespace neuralmesh {
@@ -13,12 +13,14 @@ struct Bytes {
     std::size_t size = 0;
 };
 
-/// A file mapped into memory for reading, by POSIX calls, which no other file makes: its pages are
-/// the system's, which takes them back when it needs them, and count as no memory of the process.
+/// A file mapped into memory for reading, by calls of the system, which no other file makes:
+/// mapped_file_posix.cpp or mapped_file_windows.cpp. Its pages are the system's, which takes them
+/// back when it needs them, and count as no memory of the process.
 class MappedFile {
 public:
-    /// Throws InvalidInput with a sentence, without the file's name, where the file is missing, no
-    /// ordinary file, empty, or cannot be read.
+    /// path: as the system has it; on Windows in UTF-8. Throws InvalidInput with a sentence,
+    /// without the file's name, where the file is missing, no ordinary file, empty, or cannot be
+    /// read.
     explicit MappedFile(const std::string &path);
     ~MappedFile();
     MappedFile(const MappedFile &) = delete;
@@ -33,13 +35,14 @@ public:
 
     /// Whether the file is no longer as long as when it was opened, or has been written to. Reading
     /// behind the end of a file that shrinks ends the process (SIGBUS), which asking before each
-    /// batch of reads makes unlikely and cannot rule out.
+    /// batch of reads makes unlikely and cannot rule out; Windows lets nobody cut such a file.
     bool hasChanged() const;
 
 private:
-    int descriptor_ = -1;
+    struct OpenFile; ///< what the system calls it, and when it was last written to
+
+    std::unique_ptr<OpenFile> file_;
     Bytes bytes_;
-    std::int64_t modified_ = 0; ///< time of the last change, in nanoseconds
 };
 
 } // namespace neuralmesh

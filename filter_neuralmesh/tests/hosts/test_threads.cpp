@@ -9,6 +9,25 @@
 namespace neuralmesh {
 namespace {
 
+/// An empty value takes the variable away on Windows, and is one elsewhere.
+void setVariable(const char *name, const char *value)
+{
+#ifdef _WIN32
+    _putenv_s(name, value);
+#else
+    setenv(name, value, 1);
+#endif
+}
+
+void removeVariable(const char *name)
+{
+#ifdef _WIN32
+    _putenv_s(name, "");
+#else
+    unsetenv(name);
+#endif
+}
+
 class ThreadsAllowed : public ::testing::Test {
 protected:
     ThreadsAllowed()
@@ -16,11 +35,11 @@ protected:
         if (const char *text = std::getenv("OMP_NUM_THREADS"))
             before_ = text;
     }
-    ~ThreadsAllowed() override { setenv("OMP_NUM_THREADS", before_.c_str(), 1); }
+    ~ThreadsAllowed() override { setVariable("OMP_NUM_THREADS", before_.c_str()); }
 
     static int allowed(int asked, const char *variable)
     {
-        setenv("OMP_NUM_THREADS", variable, 1);
+        setVariable("OMP_NUM_THREADS", variable);
         return threadsAllowed(asked);
     }
 
@@ -44,7 +63,7 @@ TEST_F(ThreadsAllowed, are_all_where_the_environment_says_nothing_of_use)
 {
     for (const char *useless : {"", "0", "-2", "two", "2 cores", "99999999999999999999"})
         EXPECT_EQ(allowed(0, useless), 0) << useless;
-    unsetenv("OMP_NUM_THREADS");
+    removeVariable("OMP_NUM_THREADS");
     EXPECT_EQ(threadsAllowed(0), 0);
 }
 

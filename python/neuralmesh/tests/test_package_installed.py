@@ -71,6 +71,19 @@ def test_a_new_environment_makes_the_filters_mesh(
     assert np.array_equal(made["faces"], expected.faces)
     assert np.array_equal(neuralmesh.read(tmp_path / "out.ply").points, expected.vertices)
 
+    # Batches need no more than the wheel brings; comparisons say what they need.
+    run(neuralmesh_, "batch", "bunny.ply", "--out", "batch", "-n", 5000, folder=tmp_path)
+    assert np.array_equal(neuralmesh.read(tmp_path / "batch/bunny.ply").points, expected.vertices)
+    refused = subprocess.run(
+        [neuralmesh_, "compare", "bunny.ply", "--out", "report"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert refused.returncode == 2
+    assert "needs pymeshlab, scipy, jinja2, plotly: pip install" in refused.stderr
+
 
 def test_the_module_needs_no_library_but_those_of_cpp() -> None:
     module = Path(neuralmesh._core.__file__)
@@ -91,7 +104,10 @@ def test_the_wheel_says_what_it_is(wheel: Path) -> None:
     assert metadata["License-Expression"] == "GPL-3.0-or-later"
     assert "Topic :: Scientific/Engineering" in (metadata.get_all("Classifier") or [])
     assert "pip install" in metadata.get_payload()
-    assert not any("pymeshlab" in needs for needs in metadata.get_all("Requires-Dist") or [])
+    needs = metadata.get_all("Requires-Dist") or []
+    assert [need for need in needs if "pymeshlab" in need] == [
+        'pymeshlab>=2025.7; extra == "compare"'
+    ]
 
 
 def test_the_version_is_that_of_the_project() -> None:

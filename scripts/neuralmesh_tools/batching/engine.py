@@ -1,118 +1,72 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Jobs through Dask distributed: worker processes on this machine, or a scheduler that is there."""
+"""Jobs on this machine: a thread for each worker, each with an isolated process of its own."""
 
 from __future__ import annotations
 
-import logging
-import signal
-import sys
-import tempfile
-from collections.abc import Generator, Iterator
-from contextlib import contextmanager
-
-import cloudpickle
-import dask
-from distributed import Client, Future, LocalCluster, Worker, WorkerPlugin, as_completed
+import threading
+from collections.abc import Generator
+from queue import Empty, SimpleQueue
 
 from neuralmesh_tools.batching.folder import Record
-from neuralmesh_tools.batching.work import Job, do_job, kept_failure, kept_record
-from neuralmesh_tools.project import SCRIPTS
-
-# An item whose worker is lost is handed to another one, this often; then the item is to blame.
-LOST_WORKERS_ALLOWED = 3
-CONNECT_SECONDS = 10
+from neuralmesh_tools.batching.work import Job, do_job, end_process, kept_failure
+from neuralmesh_tools.isolation import Stopped
 
 
 def run_jobs(jobs: list[Job], *, workers: int, scheduler: str) -> Generator[Record, None, None]:
     """Yield the record of each job as it finishes.
 
-    workers: processes on this machine, one item each at a time; not used if scheduler, the address
-    of a Dask scheduler, is given. Its workers must see the inputs, the output folder and this
-    project under the same paths. Raises OSError if the scheduler does not answer. When the caller
-    stops early, what has not started is cancelled.
+    workers: items at a time on this machine; not used if scheduler, the address of a Dask
+    scheduler, is given. When the caller stops early, what has not started is left, and what runs
+    is killed. Raises OSError if the scheduler does not answer, ImportError if there is no Dask.
     """
-    with _client(workers, scheduler) as client:
-        by_key = {f"{job.run}-{number}": job for number, job in enumerate(jobs)}
-        futures = [client.submit(do_job, job, key=key, pure=False) for key, job in by_key.items()]
-        try:
-            completed = as_completed(futures)
-            for future in completed:
-                job = by_key[future.key]
-                if future.status == "finished":
-                    record = future.result()
-                elif kept := kept_record(job):  # the worker was lost with the result
-                    record = kept
-                elif future.status in ("lost", "pending"):  # handed out again
-                    completed.add(future)
-                    continue
-                else:
-                    record = _failed(job, future)
-                yield record
-                future.release()
-        finally:
-            client.cancel(futures)
-
-
-def _failed(job: Job, future: Future) -> Record:
-    """Record a job that Dask gave up on: its workers were lost, or the scheduler was."""
-    reason = future.exception() if future.status == "error" else "the scheduler was lost"
-    words = f"Dask gave it up: {' '.join(str(reason).split())}"
-    return kept_failure(job, "crashed", words)
-
-
-@contextmanager
-def _client(workers: int, scheduler: str) -> Iterator[Client]:
     if scheduler:
-        logging.getLogger("distributed").setLevel(logging.CRITICAL)
-        with Client(scheduler, timeout=CONNECT_SECONDS) as client:
-            # Sent by value: the other side need not find this module to find the project.
-            cloudpickle.register_pickle_by_value(sys.modules[__name__])
-            client.run_on_scheduler(_find_project, str(SCRIPTS))
-            client.register_plugin(_FindProject(str(SCRIPTS)))
-            yield client
-        return
-    with (
-        dask.config.set({"distributed.scheduler.allowed-failures": LOST_WORKERS_ALLOWED}),
-        tempfile.TemporaryDirectory(prefix="batch-") as scratch,
-        _local_cluster(workers, scratch) as cluster,
-        Client(cluster) as client,
-    ):
-        yield client
+        from neuralmesh_tools.batching.cluster import run_on_cluster
+
+        yield from run_on_cluster(jobs, scheduler)
+    else:
+        yield from _run_here(jobs, workers)
 
 
-def _local_cluster(workers: int, scratch: str) -> LocalCluster:
-    """Start worker processes, on the loopback only, that leave Ctrl-C to this process."""
-    handler = signal.signal(signal.SIGINT, signal.SIG_IGN)  # which the workers inherit
+def _run_here(jobs: list[Job], workers: int) -> Generator[Record, None, None]:
+    waiting: SimpleQueue[Job] = SimpleQueue()
+    for job in jobs:
+        waiting.put(job)
+    done: SimpleQueue[Record] = SimpleQueue()
+    stop = threading.Event()
+    threads = [
+        threading.Thread(target=_work, args=(waiting, done, stop))
+        for _ in range(min(workers, len(jobs)))
+    ]
     try:
-        return LocalCluster(
-            n_workers=workers,
-            threads_per_worker=1,
-            processes=True,
-            host="127.0.0.1",
-            dashboard_address="127.0.0.1:0",  # the default is a fixed port
-            memory_limit=None,  # items run in processes of their own, with a limit of their own
-            silence_logs=logging.CRITICAL,
-            local_directory=scratch,
-        )
+        for thread in threads:
+            thread.start()
+        for _ in jobs:
+            yield done.get()
     finally:
-        signal.signal(signal.SIGINT, handler)
+        stop.set()
+        for thread in threads:
+            if thread.ident is not None:  # not one that Ctrl-C came before
+                thread.join()
 
 
-def _find_project(scripts: str) -> None:
-    if scripts not in sys.path:
-        sys.path.insert(0, scripts)
+def _work(waiting: SimpleQueue[Job], done: SimpleQueue[Record], stop: threading.Event) -> None:
+    """Do jobs until there are none, or until the batch is stopped."""
+    try:
+        while not stop.is_set():
+            job = waiting.get_nowait()
+            done.put(_record(job, stop))
+    except (Empty, Stopped):
+        return
+    finally:
+        end_process()
 
 
-class _FindProject(WorkerPlugin):
-    """Lets a worker, started by hand or later, import this project."""
-
-    name = "neural-mesh-batch"
-
-    def __init__(self, scripts: str) -> None:
-        """scripts: the project's folder of that name, on the worker's machine too."""
-        self.scripts = scripts
-
-    def setup(self, worker: Worker) -> None:
-        """Called by each worker as it joins."""
-        if self.scripts not in sys.path:
-            sys.path.insert(0, self.scripts)
+def _record(job: Job, stop: threading.Event) -> Record:
+    """Do a job. What goes wrong outside its isolated process is a record, too; raises Stopped."""
+    try:
+        return do_job(job, stop)
+    except Stopped:
+        raise
+    except Exception as problem:
+        words = " ".join(str(problem).split()) or type(problem).__name__
+        return kept_failure(job, "crashed", f"It was given up: {words}")

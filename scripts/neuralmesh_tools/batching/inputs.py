@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import glob
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -13,9 +13,8 @@ from neuralmesh_tools.batching.folder import STATE
 from neuralmesh_tools.batching.left_out import LeftOut, left_out_text
 from neuralmesh_tools.batching.names import Source, distinct_names
 
-# What is taken from a folder: the formats with points or triangles that PyMeshLab reads. A file
-# that is named outright may have any ending.
-SCAN_SUFFIXES = {
+# The formats with points or triangles that PyMeshLab reads.
+PYMESHLAB_SUFFIXES = {
     f".{ending}"
     for ending in (
         *("3ds", "apts", "asc", "bre", "ctm", "dae", "e57", "fbx", "glb", "gltf", "gts", "nxs"),
@@ -44,12 +43,18 @@ class Inputs:
     left_out: list[LeftOut] = field(default_factory=list)
 
 
-def find_items(arguments: Iterable[str], lists: Iterable[Path], out: Path) -> Inputs:
+def find_items(
+    arguments: Iterable[str],
+    lists: Iterable[Path],
+    out: Path,
+    suffixes: Collection[str] = PYMESHLAB_SUFFIXES,
+) -> Inputs:
     """Return the batch's items, in the order given, each file once.
 
-    A folder stands for the scans in and under it, whose outputs keep their place relative to it;
-    what lies in out is left out. Files that do not exist become items too: they fail, each with
-    its sentence, and the rest goes on. Names are told apart as names.py says.
+    A folder stands for the scans in and under it, files whose ending is one of suffixes;
+    their outputs keep their place relative to it, and what lies in out is left out. A file that is
+    named outright may have any ending. Files that do not exist become items too: they fail, each
+    with its sentence, and the rest goes on. Names are told apart as names.py says.
     Raises InputError if an input is empty, if a folder or a glob holds nothing, or if a list cannot
     be read.
     """
@@ -57,7 +62,7 @@ def find_items(arguments: Iterable[str], lists: Iterable[Path], out: Path) -> In
     sources: dict[Path, Source] = {}
     left_out: dict[Path, LeftOut] = {}
     for entry in entries:
-        for found in _found_in(entry, out.resolve()):
+        for found in _found_in(entry, out.resolve(), suffixes):
             if isinstance(found, LeftOut):
                 left_out.setdefault(found.path, found)
             else:
@@ -83,12 +88,12 @@ def read_list(path: Path) -> list[str]:
     return [line for line in stripped if line and not line.startswith("#")]
 
 
-def _found_in(entry: str, out: Path) -> Iterator[Source | LeftOut]:
+def _found_in(entry: str, out: Path, suffixes: Collection[str]) -> Iterator[Source | LeftOut]:
     if not entry.strip():
         raise InputError("An input is empty: it names no file. Is a variable not set?")
     path = Path(entry)
     if _is_folder(path):
-        yield from _scans_in(path, out)
+        yield from _scans_in(path, out, suffixes)
     elif os.path.lexists(entry) or not glob.has_magic(entry):
         yield Source(_absolute(path), Path(path.name))
     else:
@@ -100,7 +105,7 @@ def _found_in(entry: str, out: Path) -> Iterator[Source | LeftOut]:
             yield Source(_absolute(file), Path(file.name))
 
 
-def _scans_in(folder: Path, out: Path) -> Iterator[Source | LeftOut]:
+def _scans_in(folder: Path, out: Path, suffixes: Collection[str]) -> Iterator[Source | LeftOut]:
     """The scans in and under a folder, and what else is there; links to folders are not followed.
 
     Raises InputError if there is no scan.
@@ -118,7 +123,7 @@ def _scans_in(folder: Path, out: Path) -> Iterator[Source | LeftOut]:
             if name not in links and name != STATE and _absolute(here / name) != out
         )
         for path in (here / name for name in sorted(files)):
-            if reason := _why_not(path):
+            if reason := _why_not(path, suffixes):
                 left_out.append(LeftOut(_absolute(here) / path.name, reason))
             else:
                 sources.append(Source(_absolute(path), path.relative_to(folder)))
@@ -132,9 +137,9 @@ def _scans_in(folder: Path, out: Path) -> Iterator[Source | LeftOut]:
     yield from left_out
 
 
-def _why_not(path: Path) -> str:
+def _why_not(path: Path, suffixes: Collection[str]) -> str:
     """Why a file of a folder is no scan; empty if it is one."""
-    if path.suffix.lower() not in SCAN_SUFFIXES:
+    if path.suffix.lower() not in suffixes:
         return path.suffix.lower() or "no ending"
     if path.is_file():
         return ""

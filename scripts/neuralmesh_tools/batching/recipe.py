@@ -24,6 +24,10 @@ REFUSED = {
 }
 
 
+# Named, not imported: PyMeshLab is not for a worker's own process.
+IN_PYMESHLAB = "neuralmesh_tools.batching.reconstruct:reconstruct"
+
+
 class RecipeError(ValueError):
     """The recipe cannot be followed; the message is a sentence for the user."""
 
@@ -34,7 +38,9 @@ class Recipe:
 
     plugins: paths of plugins to load. script: the text of a .mlx file; if there is one, filter and
     parameters are not used. suffix: the output's, with its dot. threads: what one item may use;
-    it does not change a result. versions: PyMeshLab's, and each plugin's SHA-256.
+    it does not change a result. versions: those of the programs that the outputs depend on, or
+    their SHA-256. by: the function that follows the recipe, called with it, a source and a target;
+    it returns results, or raises ValueError with a sentence.
     """
 
     plugins: tuple[Path, ...]
@@ -44,6 +50,7 @@ class Recipe:
     suffix: str
     threads: int = 1
     versions: dict[str, str] = field(default_factory=dict)
+    by: str = IN_PYMESHLAB
 
     def fingerprint(self, input_sha256: str) -> str:
         """A hash of everything that the output of an input depends on."""

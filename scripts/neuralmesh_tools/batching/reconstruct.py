@@ -8,6 +8,7 @@ from typing import Any
 
 import pymeshlab
 
+from neuralmesh_tools.batching.per_cent import with_per_cent
 from neuralmesh_tools.batching.recipe import Recipe, Value
 from neuralmesh_tools.geometry import diagonal
 from neuralmesh_tools.layers import (
@@ -38,16 +39,6 @@ def reconstruct(recipe: Recipe, source: str, target: str) -> dict[str, Any]:
         raise ValueError("The result is an empty mesh.")
     save(document, Path(target))
     return {**results, **with_per_cent(figures_of(returned), size)}
-
-
-def with_per_cent(figures: dict[str, Any], size: float) -> dict[str, Any]:
-    """Add the errors, where there are any, in per cent of the input's diagonal (size)."""
-    errors = {
-        f"{name}_percent": 100 * figures[name] / size
-        for name in ("rms_error", "max_error")
-        if name in figures and size > 0
-    }
-    return {**figures, **errors}
 
 
 def load_plugins(paths: tuple[Path, ...]) -> None:

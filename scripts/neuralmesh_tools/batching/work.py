@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Dask task: one item in an isolated process, its output moved into place, its record kept."""
+"""A worker's task: one item in an isolated process, its output put into place, its record kept."""
 
 from __future__ import annotations
 
@@ -39,17 +39,13 @@ class Job:
         return self.recipe.fingerprint(self.input_sha256)
 
 
-# Named, not imported: PyMeshLab is not for a worker's own process.
-RECONSTRUCT_SCAN = "neuralmesh_tools.batching.reconstruct:reconstruct"
-
 _local = threading.local()
 
 
 def _process(job: Job) -> IsolatedProcess:
     """The isolated process of this thread of this worker, kept from job to job."""
     if getattr(_local, "run", None) != job.run:
-        if hasattr(_local, "process"):
-            _local.process.close()
+        end_process()
         threads = str(job.recipe.threads)
         _local.process = IsolatedProcess(
             {"OMP_NUM_THREADS": threads}, recycle_after=job.recycle_after
@@ -59,14 +55,23 @@ def _process(job: Job) -> IsolatedProcess:
     return kept
 
 
+def end_process() -> None:
+    """End the isolated process of this thread, if there is one."""
+    if hasattr(_local, "process"):
+        _local.process.close()
+        del _local.process, _local.run
+
+
 def kept_record(job: Job) -> Record | None:
     """Return the record that this run has kept of a job, None if it has not been done yet."""
     record = OutFolder(job.out).record(job.item.name)
     return record if record and record["run"] == job.run else None
 
 
-def do_job(job: Job) -> Record:
+def do_job(job: Job, stop: threading.Event | None = None) -> Record:
     """Do a job, keep its record in the output folder, and return it. Failures are records too.
+
+    Once stop is set, the item's process is killed, and Stopped is raised: there is no record then.
 
     A job that Dask hands out again, because its worker was lost after the record was kept, is not
     done a second time.
@@ -74,7 +79,7 @@ def do_job(job: Job) -> Record:
     if earlier := kept_record(job):
         return earlier
     try:
-        return _do(job)
+        return _do(job, stop)
     except OSError as problem:  # a full disk, a name that is too long, a folder that is a link
         return kept_failure(job, "not written", f"It cannot be written: {_words(problem)}")
 
@@ -96,14 +101,14 @@ def _words(problem: OSError) -> str:
     return words if words.endswith(".") else words + "."
 
 
-def _do(job: Job) -> Record:
+def _do(job: Job, stop: threading.Event | None) -> Record:
     folder = OutFolder(job.out)
     name = job.item.name
     partial = folder.partial(job.run, name)
     shutil.rmtree(partial, ignore_errors=True)
     folder.make_room_for(partial / "output")
     log = folder.new_log(name)
-    outcome = _reconstruct(job, partial, log)
+    outcome = _reconstruct(job, partial, log, stop)
     printed = log.read_text(encoding="utf-8", errors="replace") if outcome.ok else ""
     record = record_of(job, outcome, printed)
     if not folder.is_current(job.run):
@@ -118,11 +123,11 @@ def _do(job: Job) -> Record:
     return record
 
 
-def _reconstruct(job: Job, partial: Path, log: Path) -> Outcome:
+def _reconstruct(job: Job, partial: Path, log: Path, stop: threading.Event | None) -> Outcome:
     """Run the item in the isolated process; its log has the input before, the outcome after it."""
     log.write_text(f"{shown(job.item.source)}\n", encoding="utf-8")
     outcome = _process(job).call(
-        RECONSTRUCT_SCAN,
+        job.recipe.by,
         job.recipe,
         str(job.item.source),
         str(partial / OutFolder(job.out).output(job.item.name, job.recipe.suffix).name),
@@ -130,6 +135,7 @@ def _reconstruct(job: Job, partial: Path, log: Path) -> Outcome:
         memory_limit=job.memory_limit,
         log=log,
         folder=partial,
+        stop=stop,
     )
     with log.open("a", encoding="utf-8") as stream:
         stream.write(f"{shown(outcome.failure) or 'Done.'} ({outcome.seconds:.2f} s)\n")

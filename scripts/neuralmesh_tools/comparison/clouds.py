@@ -25,6 +25,8 @@ REACH = 3.0
 POINTS_SHOWN = 15_000
 # Of the length of a normal: below, it is none.
 LEAST_NORMAL = 1e-6
+# What PyMeshLab reads with normals or faces; of other formats the package is the better reader.
+WITH_NORMALS = (".ply", ".obj", ".stl", ".off")
 
 
 @dataclass(frozen=True)
@@ -68,7 +70,7 @@ class CloudFacts:
 
 
 def load_cloud(path: str) -> Cloud:
-    """Read the vertices of a file; estimate normals if it brings none.
+    """Read the vertices of a file that PyMeshLab reads; estimate normals if it brings none.
 
     Raises ValueError with a sentence if it cannot be read or holds fewer points than a normal
     needs.
@@ -76,6 +78,34 @@ def load_cloud(path: str) -> Cloud:
     points, normals, faces = _read(path)
     if len(points) == 0:
         raise ValueError(why_no_points(Path(path)))
+    return _cloud(points, normals, faces)
+
+
+def load_cloud_by_package(path: str) -> Cloud:
+    """Read the points of a file of any format that the package neuralmesh reads, or PyMeshLab.
+
+    Normals are taken from the formats of meshes only, and estimated for the others.
+    Raises ValueError as load_cloud does.
+    """
+    from neuralmesh import files
+
+    suffix = Path(path).suffix.lower()
+    is_read = any(suffix in known.suffixes for known in files.FORMATS)
+    if suffix in WITH_NORMALS or not is_read:
+        return load_cloud(path)
+    try:
+        points = files.read(path).points
+    except files.UnreadableFile as problem:
+        raise ValueError(problem.reason[0].upper() + problem.reason[1:]) from None
+    broken = np.count_nonzero(~np.isfinite(points).all(axis=1))
+    if broken:
+        raise ValueError(f"{broken} of its points have coordinates that are NaN or infinite.")
+    points = _distinct(points)
+    return _cloud(points, np.zeros_like(points), np.empty((0, 3), np.int32))
+
+
+def _cloud(points: Points, normals: Points, faces: Faces) -> Cloud:
+    """A cloud with its normals, which are zero where there are none."""
     if len(points) <= NORMAL_NEIGHBOURS:
         raise ValueError(f"It holds {len(points)} points; {NORMAL_NEIGHBOURS + 1} are the least.")
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
@@ -95,9 +125,17 @@ def _read(path: str) -> tuple[Points, Points, Faces]:
     document = read_document(Path(path))
     mesh = document.current_mesh()
     points, normals = mesh.vertex_matrix(), mesh.vertex_normal_matrix()
-    _, first = np.unique(points, axis=0, return_index=True)
-    kept = np.sort(first)
+    kept = _first_of_each(points)
     return points[kept], normals[kept], mesh.face_matrix().copy()
+
+
+def _distinct(points: Points) -> Points:
+    return np.ascontiguousarray(points[_first_of_each(points)])
+
+
+def _first_of_each(points: Points) -> NDArray[np.intp]:
+    _, first = np.unique(points, axis=0, return_index=True)
+    return np.sort(first)
 
 
 def _spacing(points: Points) -> float:

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command line of scripts/compare.py."""
+"""The command line of scripts/compare.py and of `neuralmesh compare`."""
 
 from __future__ import annotations
 
 import argparse
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +23,7 @@ from neuralmesh_tools.command_line import (
     positive,
 )
 from neuralmesh_tools.comparison.clouds import REFERENCE_SAMPLES, load_surface
-from neuralmesh_tools.comparison.kept import STATE, fingerprint, keep, kept
+from neuralmesh_tools.comparison.kept import STATE, fingerprint, hash_of_ours, keep, kept
 from neuralmesh_tools.comparison.measures import MESH_SAMPLES
 from neuralmesh_tools.comparison.page import write_page
 from neuralmesh_tools.comparison.run import (
@@ -35,19 +35,25 @@ from neuralmesh_tools.comparison.run import (
 )
 from neuralmesh_tools.comparison.tables import write_tables
 from neuralmesh_tools.comparison.verdict import judge
-from neuralmesh_tools.files import sha256_of, shown, write_in_one_step
+from neuralmesh_tools.files import shown, write_in_one_step
 from neuralmesh_tools.isolation import IsolatedProcess
 from neuralmesh_tools.machine import machine, version_of
 from neuralmesh_tools.methods import METHODS
 from neuralmesh_tools.project import PluginMissing, require_plugin
 
+COMMAND = "neuralmesh compare"
 USAGE = 2
 INTERRUPTED = 130  # what a shell reports of a program that Ctrl-C ended
 
 
-def parse_arguments(description: str | None) -> argparse.Namespace:
-    """Read the command line; exits with 2 on what cannot work."""
+def parse_arguments(description: str | None, given: Sequence[str] | None) -> argparse.Namespace:
+    """Read the command line; exits with 2 on what cannot work.
+
+    given: the arguments of `neuralmesh compare`, which has no plugin; None: those of the script.
+    """
     parser = parser_of(description)
+    if given is not None:
+        parser.prog = COMMAND
     parser.add_argument("clouds", nargs="+", type=Path, metavar="CLOUD", help="point cloud or mesh")
     parser.add_argument("--out", type=folder, required=True, metavar="DIR", help="output folder")
     text = "measure against this surface instead of the cloud itself"
@@ -62,8 +68,12 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     parser.add_argument("--timeout", type=positive, default=60, metavar="SECONDS", help=text)
     text = "a method may use (default 1: Poisson's threads stall where others use the cores)"
     parser.add_argument("--threads", type=int, default=1, metavar="N", help=text)
-    add_plugin(parser)
-    options = parser.parse_intermixed_args()
+    if given is None:
+        add_plugin(parser)
+    options = parser.parse_intermixed_args(given)
+    options.command = f"{COMMAND} {' '.join(given)}" if given is not None else _script_command()
+    if given is not None:
+        options.plugin = None
     options.methods = names(parser, "method", options.methods, METHODS)
     if options.vertices and options.vertices < LEAST_VERTICES:
         parser.error(f"--vertices must be at least {LEAST_VERTICES}")
@@ -74,12 +84,16 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
             parser.error(f"there is no file {shown(path)}")
     # Each cloud once, in the order given.
     options.clouds = list({path.resolve(): path for path in options.clouds}.values())
-    if any(METHODS[name].exact for name in options.methods):
+    if options.plugin and any(METHODS[name].exact for name in options.methods):
         try:
             require_plugin(options.plugin)
         except PluginMissing as problem:
             parser.error(str(problem))
     return options
+
+
+def _script_command() -> str:
+    return "scripts/compare.py " + " ".join(sys.argv[1:])
 
 
 def _is_file(path: Path) -> bool:
@@ -104,7 +118,7 @@ def settings_of(options: argparse.Namespace) -> Settings:
         options.threshold,
         options.timeout,
         options.threads,
-        options.plugin.resolve(),
+        options.plugin and options.plugin.resolve(),
         surface,
     )
 
@@ -137,24 +151,27 @@ def about_the_run(options: argparse.Namespace) -> dict[str, Any]:
             "machine": f"{here['processor']}, {here['cores']} cores, "
             f"{here['memory_gigabytes']} GB, {here['system']}",
             "versions": f"PyMeshLab {version_of('pymeshlab')}, Python {here['python']}, "
-            f"plugin {_short_hash(options.plugin)}",
+            f"{_ours(options.plugin)}",
             "threads": f"{options.threads} a method",
             "time-out": f"{options.timeout:g} s of computing a method and cloud",
-            "command": shown("scripts/compare.py " + " ".join(sys.argv[1:])),
+            "command": shown(options.command),
         },
     }
 
 
-def _short_hash(plugin: Path) -> str:
-    """The beginning of the plugin's SHA-256, or that it is not there."""
-    if not plugin.is_file():
-        return "not there"
-    return sha256_of(plugin)[:12]
+def _ours(plugin: Path | None) -> str:
+    """What runs our method, with the beginning of its SHA-256."""
+    name = "plugin" if plugin else f"neuralmesh {version_of('neuralmesh')}"
+    return f"{name} {hash_of_ours(plugin)[:12] or 'not there'}"
 
 
-def main(description: str | None) -> int:
-    """Compare, write the report, print the answers. Returns the exit code."""
-    options = parse_arguments(description)
+def main(description: str | None, given: Sequence[str] | None = None) -> int:
+    """Compare, write the report, print the answers. Returns the exit code.
+
+    given: the arguments of `neuralmesh compare`, whose clouds are read and reconstructed by the
+    package; None: those of scripts/compare.py.
+    """
+    options = parse_arguments(description, given)
     terminal = console()
     try:
         settings = settings_of(options)

@@ -8,6 +8,7 @@ folder may be somebody else's, and what is read from it must not run.
 from __future__ import annotations
 
 import hashlib
+import importlib
 import io
 import json
 import zipfile
@@ -39,12 +40,19 @@ def fingerprint(cloud: Path, settings: Settings) -> str:
             "methods": settings.methods,
             "numbers": [settings.vertices, settings.threshold, settings.timeout, settings.threads],
             "surface": [_hash_of(array) for array in settings.surface or ()],
-            "plugin": sha256_of(settings.plugin) if settings.plugin.is_file() else "",
+            "plugin": hash_of_ours(settings.plugin),
             "pymeshlab": version_of("pymeshlab"),
         }
     except OSError:
         return ""
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
+
+
+def hash_of_ours(plugin: Path | None) -> str:
+    """The SHA-256 of what runs our method: a plugin, or the package; empty if it is not there."""
+    if plugin is None:
+        plugin = Path(importlib.import_module("neuralmesh._core").__file__ or "")
+    return sha256_of(plugin) if plugin.is_file() else ""
 
 
 def keep(comparison: Comparison, out: Path, mark: str) -> None:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from neuralmesh_tools.comparison.clouds import Cloud, CloudFacts, load_cloud
+from neuralmesh_tools.comparison.clouds import Cloud, CloudFacts, load_cloud, load_cloud_by_package
 from neuralmesh_tools.comparison.measures import Measured, error_of, measure
 from neuralmesh_tools.comparison.reconstruct import reconstruct_at_counts
 from neuralmesh_tools.doubts import doubts
@@ -36,14 +36,19 @@ ERRORS = {
 
 @dataclass(frozen=True)
 class Settings:
-    """vertices: of each result, 0 for the default; threshold: of the F-score, % of the diagonal."""
+    """What is compared, and how.
+
+    vertices: of each result, 0 for the default. threshold: of the F-score, % of the diagonal.
+    timeout: seconds of computing. plugin: of PyMeshLab, that runs our method; None: the package
+    neuralmesh runs it, and reads the clouds.
+    """
 
     methods: list[str]
     vertices: int
     threshold: float
     timeout: float
     threads: int
-    plugin: Path
+    plugin: Path | None
     surface: tuple[Points, Faces] | None = None
 
 
@@ -92,7 +97,8 @@ class Comparison:
 def compare(path: Path, name: str, settings: Settings, say: Callable[[str], None]) -> Comparison:
     """Run the methods on a cloud of this name; say is told what happens, a line each."""
     with IsolatedProcess() as measuring, tempfile.TemporaryDirectory() as folder:
-        loaded = measuring.call(load_cloud, str(path), timeout=MEASURE_SECONDS)
+        reader = load_cloud if settings.plugin else load_cloud_by_package
+        loaded = measuring.call(reader, str(path), timeout=MEASURE_SECONDS)
         if not loaded.ok:
             say(f"{name}: {loaded.failure}")
             return Comparison(name, shown(path), shown(loaded.failure))

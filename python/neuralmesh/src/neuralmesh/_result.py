@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -38,3 +39,11 @@ class Result(Mesh):
     """The meshes at the vertex counts of the parameter `snapshots`, by count."""
     summary: str = ""
     """What the filter logs: figures, topology, and warnings about what is not to be trusted."""
+
+
+def plain(info: Mapping[str, Any]) -> dict[str, Any]:
+    """Return `info` with lists for arrays: it can be written as JSON."""
+    return {
+        key: value.tolist() if isinstance(value, np.ndarray) else value
+        for key, value in info.items()
+    }

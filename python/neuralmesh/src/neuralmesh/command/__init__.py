@@ -1,22 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command `neuralmesh`: files in, a mesh out."""
+"""The command `neuralmesh`: files in, a mesh out, and its subcommands."""
 
 from __future__ import annotations
 
+import importlib
 import os
 import sys
 from collections.abc import Sequence
 
-from . import information, reconstruction
+from . import reconstruction
 from .exits import DONE, INTERRUPTED, REFUSED, say
+
+# The modules that run them, which are imported only then.
+SUBCOMMANDS = {"info": "information", "batch": "batches", "compare": "comparisons"}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; return its exit code."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     try:
-        if given[:1] == ["info"]:
-            return information.run(given[1:])
+        if given and given[0] in SUBCOMMANDS:
+            module = importlib.import_module(f"{__name__}.{SUBCOMMANDS[given[0]]}")
+            return int(module.run(given[1:]))
         return reconstruction.run(given)
     except KeyboardInterrupt:
         say("Interrupted.")

@@ -4,13 +4,20 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
 from .._core import __version__
 from .._parameters import CHOICES
+from .._reconstruct import DEFAULT_VERTICES
+from ..files import most_points_for
 
-USAGE = "neuralmesh INPUT... -o OUTPUT [OPTION...]\n       neuralmesh info INPUT..."
+USAGE = """\
+neuralmesh INPUT... -o OUTPUT [OPTION...]
+       neuralmesh batch INPUT... --out DIR
+       neuralmesh compare CLOUD... --out DIR
+       neuralmesh info INPUT..."""
 EPILOG = """\
 reads   PLY, LAS, LAZ, COPC, E57, PCD, PTS, XYZ, CSV, NPY, NPZ, OBJ, STL, OFF, glTF, GLB
 writes  PLY, OBJ, OFF, NPZ (exact); STL, GLB (single precision)
@@ -44,7 +51,10 @@ HIDDEN = (
     "inactivity_factor",
     "counter_decay",
 )
+SHOWN = ("vertices", "boundaries", "max_hole_size", "snapshots", "random_seed", "surface_fit")
 SWITCHES = ("transfer_attributes", "edge_flips")
+# What the user types for a parameter.
+FLAGS = {key: "--" + key.replace("_", "-") for key in (*SHOWN, *HIDDEN, "most_points")}
 
 
 class ShowParameters(argparse.Action):
@@ -69,24 +79,39 @@ def parser() -> argparse.ArgumentParser:
     add = made.add_argument
     add("inputs", nargs="+", type=Path, metavar="INPUT", help="a file, or a folder with --merge")
     add("-o", "--output", type=Path, required=True, help="the mesh; its ending is the format")
-    add("-n", "--vertices", metavar="N", help="of the mesh, at least 4 (5000, or half the points)")
     add(
         "--merge", action="store_true", help="several files, or the tiles of a folder, as one cloud"
     )
+    add_parameters(made)
+    add("--json", action="store_true", help="print the results as JSON")
+    add("-q", "--quiet", action="store_true", help="no progress bar and no log")
+    add("--help-parameters", action=ShowParameters, nargs=0, help="the other parameters")
+    add("--version", action="version", version=f"neuralmesh {__version__}")
+    return made
+
+
+def add_parameters(parser: argparse._ActionsContainer, without: Collection[str] = ()) -> None:
+    """Add the filter's parameters as options, but those that are left out, by their keys."""
+
+    def add(key: str, *short: str, **kind: Any) -> None:
+        if key not in without:
+            parser.add_argument(*short, FLAGS[key], **kind)
+
+    add("vertices", "-n", metavar="N", help="of the mesh, at least 4 (5000, or half the points)")
     add(
-        "--boundaries",
+        "boundaries",
         choices=["closed", "open"],
         metavar="WHICH",
         help="closed: watertight; open: no surface where there are no points (closed)",
     )
     add(
-        "--max-hole-size",
+        "max_hole_size",
         metavar="SIZE",
         help="smaller gaps in the points are closed: a length or a percentage (10%%)",
     )
-    add("--snapshots", metavar="N,N,...", help="also meshes of these sizes: OUTPUT_N")
-    add("--random-seed", metavar="N", help="the same seed gives the same mesh; 0: a fresh one (1)")
-    add(
+    add("snapshots", metavar="N,N,...", help="also meshes of these sizes: OUTPUT_N")
+    add("random_seed", metavar="N", help="the same seed gives the same mesh; 0: a fresh one (1)")
+    parser.add_argument(
         "--no-surface-fit",
         dest="surface_fit",
         action="store_const",
@@ -94,32 +119,38 @@ def parser() -> argparse.ArgumentParser:
         help="leave out the closing fit",
     )
     add(
-        "--most-points",
+        "most_points",
         type=int,
         metavar="N",
         help="kept of the input, a uniform choice; 0: all (500 a vertex, at least 2,000,000)",
     )
-    add("--json", action="store_true", help="print the results as JSON")
-    add("-q", "--quiet", action="store_true", help="no progress bar and no log")
-    add("--help-parameters", action=ShowParameters, nargs=0, help="the other parameters")
-    add("--version", action="version", version=f"neuralmesh {__version__}")
     for key in HIDDEN:
-        add(_flag(key), choices=_choices(key), help=argparse.SUPPRESS)
-    return made
+        add(key, choices=_choices(key), help=argparse.SUPPRESS)
 
 
 def parameters_of(options: argparse.Namespace) -> tuple[dict[str, Any], dict[str, str]]:
     """Return the parameters that were given, and what the user typed for each."""
-    shown = ("vertices", "boundaries", "max_hole_size", "snapshots", "random_seed", "surface_fit")
     parameters = {}
-    for key in (*shown, *HIDDEN):
-        if (value := getattr(options, key)) is None:
+    for key in (*SHOWN, *HIDDEN):
+        if (value := getattr(options, key, None)) is None:
             continue
         parameters[key] = value == "yes" if key in SWITCHES else value
     if "max_hole_size" in parameters and not parameters["max_hole_size"].strip().endswith("%"):
         parameters["max_hole_size"] = _number("--max-hole-size", parameters["max_hole_size"])
-    names = {key: _flag(key) for key in (*shown, *HIDDEN)}
-    return parameters, names
+    return parameters, FLAGS
+
+
+def most_points(options: argparse.Namespace) -> int | None:
+    """How many points of an input are kept; None: all. Raises ValueError."""
+    if options.most_points is not None:
+        if options.most_points < 0:
+            raise ValueError(f"--most-points must be at least 0, not {options.most_points}.")
+        return options.most_points or None
+    try:
+        vertices = int(options.vertices or DEFAULT_VERTICES)
+    except ValueError:
+        raise ValueError(f"--vertices must be a whole number, not '{options.vertices}'.") from None
+    return most_points_for(vertices)
 
 
 def _number(flag: str, text: str) -> float:
@@ -127,10 +158,6 @@ def _number(flag: str, text: str) -> float:
         return float(text)
     except ValueError:
         raise ValueError(f"{flag} must be a length or a percentage, not '{text}'.") from None
-
-
-def _flag(key: str) -> str:
-    return "--" + key.replace("_", "-")
 
 
 def _choices(key: str) -> list[str] | None:

@@ -9,17 +9,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from .. import files
 from .._core import __version__
 from .._parameters import read_options
 from .._progress import bar, part
-from .._reconstruct import DEFAULT_VERTICES
 from .._reconstruct import run as reconstruct
-from .._result import Mesh, Result
+from .._result import Mesh, Result, plain
 from .exits import DONE, say
-from .options import parameters_of, parser
+from .options import most_points, parameters_of, parser
 
 # Of the time of a run: the input is read.
 SHARE_OF_READING = 0.3
@@ -71,26 +68,13 @@ def _reconstruct(
     names: dict[str, str],
     progress: Any,
 ) -> Result:
-    most = _most_points(options)
+    most = most_points(options)
     cloud = files.read_merged(
         inputs, most_points=most, progress=part(progress, 0, SHARE_OF_READING)
     )
     if not options.quiet:
         _log_input(inputs, cloud)
     return reconstruct(cloud, parameters, progress=part(progress, SHARE_OF_READING, 1), names=names)
-
-
-def _most_points(options: argparse.Namespace) -> int | None:
-    """None: all."""
-    if options.most_points is not None:
-        if options.most_points < 0:
-            raise ValueError(f"--most-points must be at least 0, not {options.most_points}.")
-        return options.most_points or None
-    try:
-        vertices = int(options.vertices or DEFAULT_VERTICES)
-    except ValueError:
-        raise ValueError(f"--vertices must be a whole number, not '{options.vertices}'.") from None
-    return files.most_points_for(vertices)
 
 
 def _log_input(inputs: list[Path], cloud: files.Cloud) -> None:
@@ -120,7 +104,7 @@ def _snapshot_path(output: Path, mesh: Mesh) -> Path:
 
 def _tell(options: argparse.Namespace, result: Result, written: list[Path]) -> None:
     if options.json:
-        info = {key: _plain(value) for key, value in result.info.items()}
+        info = plain(result.info)
         info |= {"files": [str(path) for path in written], "version": __version__}
         print(json.dumps(info))
         return
@@ -128,7 +112,3 @@ def _tell(options: argparse.Namespace, result: Result, written: list[Path]) -> N
         say(result.summary)
     for path in written:
         print(path)
-
-
-def _plain(value: Any) -> Any:
-    return value.tolist() if isinstance(value, np.ndarray) else value

@@ -17,6 +17,7 @@ class UnreadableFile(InvalidInput):
 
     def __init__(self, path: Path, reason: str) -> None:
         super().__init__(f"'{path}': {reason}")
+        self.reason = reason
 
 
 @dataclass(frozen=True)
