@@ -22,6 +22,7 @@
 #include "core/space/morton_order.h"
 #include "core/space/plain_points.h"
 #include "core/space/point_statistics.h"
+#include "core/space/watched_draw.h"
 
 namespace neuralmesh {
 namespace {
@@ -119,7 +120,9 @@ public:
         judgeNoise();
         move(step);
         noteResiduals();
+        network_.workers().watch().look();
         network_.evenValences();
+        network_.workers().watch().look();
         if (firstExchange <= number && number < lastExchange)
             exchangeIrregular();
     }
@@ -150,7 +153,7 @@ private:
     {
         accumulators_.reset();
         reach_.fade(mostInformation());
-        sampler_.draw(random_, samplesOfSweep(), drawn_);
+        drawWatched(sampler_, random_, samplesOfSweep(), drawn_, network_.workers().watch());
         order_.sort(drawn_, samples_);
         const SampleLocator locator = network_.locator();
         projections_.resize(samples_.size());
