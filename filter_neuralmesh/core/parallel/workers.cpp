@@ -31,6 +31,7 @@ Workers::~Workers()
 
 void Workers::run(std::size_t chunks, const ChunkWork &work)
 {
+    watch_.look(); // other threads may leave no chunk to this one
     if (threads_.empty() || chunks < 2) {
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
             watch_.look();
