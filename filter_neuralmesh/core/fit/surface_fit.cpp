@@ -314,6 +314,8 @@ private:
         const Eigen::Vector3d d = system.ldlt().solve(pull);
         const Point3 displacement(d[0], d[1], d[2]);
         const Scalar length = displacement.Norm();
+        if (!std::isfinite(length)) // of faces without an extent
+            return {0, 0, 0};
         const Scalar most = longestMove * shortestEdge(mesh_, v);
         return length > most ? displacement * (most / length) : displacement;
     }

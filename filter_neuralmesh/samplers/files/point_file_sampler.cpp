@@ -82,7 +82,7 @@ try : path_(path), file_(path), records_(file_.bytes(), readPointLayout(file_.by
     for (const Point3 &point : pilotOf(records_))
         if (isToBeDrawn(point))
             kept.push_back(toUnit(frame_, point));
-    isFlat_ = neuralmesh::isFlat(kept);
+    isFlat_ = neuralmesh::isFlat(kept, left_.count);
     if (file_.hasChanged())
         throw InvalidInput(changed);
 } catch (const InvalidInput &problem) {
