@@ -7,6 +7,10 @@ add_library(neuralmesh_flags INTERFACE)
 target_compile_options(neuralmesh_flags INTERFACE
     -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off -fno-math-errno
     $<$<BOOL:${NEURALMESH_WERROR}>:-Werror>)
+if(NEURALMESH_SANITIZE_THREADS)
+    target_compile_options(neuralmesh_flags INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+    target_link_options(neuralmesh_flags INTERFACE -fsanitize=thread)
+endif()
 if(NEURALMESH_SANITIZE)
     set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all)
     target_compile_options(neuralmesh_flags INTERFACE ${sanitizers} -fno-omit-frame-pointer)

@@ -243,8 +243,9 @@ def test_a_negative_number_of_threads_is_refused(bunny_points: pymeshlab.MeshSet
 
 def test_no_parameter_is_missing_above(bunny_points: pymeshlab.MeshSet) -> None:
     # These have tests of their own: here, in test_layers, test_snapshots, test_starting_meshes,
-    # test_point_file, test_attributes.
+    # test_point_file, test_attributes, test_time_limit.
     elsewhere = {"targetvertnum", "randomseed", "source", "densityfromquality", "threads"}
+    elsewhere |= {"timelimit"}
     elsewhere |= {
         "snapshots",
         "startmesh",

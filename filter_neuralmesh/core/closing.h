@@ -2,6 +2,8 @@
 // The way from an open network to a closed result of the exact count of vertices.
 #pragma once
 
+#include <algorithm>
+
 #include "core/network/growing_network.h"
 #include "core/topology/sheet_doubling.h"
 
@@ -33,6 +35,9 @@ public:
     /// Brings the network to the count of the result, which changes where boundaries do: with holes
     /// and notches that are filled.
     void settleCount();
+
+    /// The result has no more vertices than now: there is no time.
+    void endHere() { target_ = std::min(target_, vertexCount()); }
 
     /// Closes all boundaries. Returns how many faces intersect another then.
     int close();

@@ -91,6 +91,7 @@ std::string nameOf(Parameter parameter)
     case Parameter::counterDecay: return "counterDecay";
     case Parameter::snapshots: return "snapshots";
     case Parameter::maxHoleSize: return "maxHoleSize";
+    case Parameter::timeLimit: return "timeLimit";
     }
     return {};
 }

@@ -17,12 +17,12 @@
 #include "core/network/stagnation.h"
 #include "core/random_streams.h"
 #include "core/result/convergence.h"
-#include "core/result/error_measure.h"
-#include "core/result/support_measure.h"
+#include "core/result/measurement.h"
 #include "core/shape/quadric_decimation.h"
 #include "core/space/morton_order.h"
 #include "core/space/plain_points.h"
 #include "core/space/point_spacing.h"
+#include "core/space/watched_draw.h"
 #include "core/start.h"
 
 namespace neuralmesh {
@@ -35,9 +35,6 @@ constexpr double batchPerVertex = 2;
 /// cache, smaller ones let counters steer each split sooner.
 constexpr double batchPerVertexOneByOne = 0.5;
 
-/// Samples for each vertex by which the error and the support of the result are measured.
-constexpr std::size_t samplesPerMeasure = 6;
-
 /// Share of λ with which a closed start from the data settles: its vertices are near the samples.
 /// The border of an open one is not.
 constexpr double shareOfSettling = 0.25;
@@ -47,9 +44,7 @@ constexpr double shareOfSettling = 0.25;
 /// stretch a flap to them.
 constexpr Scalar reachOfBorder = 2;
 
-/// Shares of the time until a start from the data is made, and until growth ends; the fit takes the
-/// rest.
-constexpr double shareOfStart = 0.05;
+/// Share of the time until growth ends; the fit takes the rest.
 constexpr double shareOfGrowth = 0.85;
 
 /// Signals between two calls of the progress callback.
@@ -68,11 +63,11 @@ void finishMesh(NeuralMesh &mesh)
 class Growth {
 public:
     Growth(NeuralMesh &mesh, LearnedShape shape, const Sampler &sampler,
-           const GrowthParameters &parameters, Random &random, const Progress &progress,
-           const NetworkTaker &takeSnapshot, Workers &workers)
+           const GrowthParameters &parameters, Random &random, const NetworkTaker &takeSnapshot,
+           Workers &workers)
         : parameters_(parameters), shape_(shape),
           hasBorders_(shape == LearnedShape::found && !isClosed(mesh)), sampler_(sampler),
-          progress_(progress), takeSnapshot_(takeSnapshot), random_(random),
+          watch_(workers.watch()), takeSnapshot_(takeSnapshot), random_(random),
           measuring_(randomStream(parameters.seed, Purpose::measuring)),
           convergence_(sampler, measuring_),
           network_(mesh, toVcg(sampler.bounds()), parameters, &workers),
@@ -101,31 +96,26 @@ public:
 
     GrowthReport run()
     {
-        takeSnapshotIfDue();
-        closeHolesInData();
-        if (isToBeClosed())
-            closing_.judgeSheets();
-        growToTarget();
-        consolidate();
-        closeHolesInData();
-        closing_.settleCount();
+        whileThereIsTime(TimeUp::inGrowth, [&] {
+            takeSnapshotIfDue();
+            closeHolesInData();
+            if (isToBeClosed())
+                closing_.judgeSheets();
+            growToTarget();
+            consolidate();
+            closeHolesInData();
+            closing_.settleCount();
+        });
         report_.splitCount = network_.verticesAdded();
         report_.collapseCount = network_.verticesRemoved();
-        report_.selfIntersections =
-            parameters_.surfaceFit ? fit() : network_.findSelfIntersections().faces;
-        if (isToBeClosed() && !isClosed(network_.mesh()))
-            report_.selfIntersections = closing_.close();
-        const SampleDistances distances =
-            measureDistances(network_, sampler_, measuring_, samplesPerMeasure);
-        const ErrorFigures error = errorOf(distances);
-        report_.rmsError = error.rms;
-        report_.maxError = error.largest;
-        const SupportFigures support = supportOf(network_, distances, sampler_.pointCount());
-        report_.coverage = support.coverage;
-        report_.unsupportedArea = support.unsupportedArea;
+        if (parameters_.surfaceFit)
+            whileThereIsTime(TimeUp::inSurfaceFit, [&] { report_.selfIntersections = fit(); });
+        close();
+        if (!isSnapshot_)
+            measure();
         report_.convergence = convergence_.errors();
         report_.signalCount = network_.signals();
-        report_.reachedTarget = isComplete();
+        report_.reachedTarget = isComplete() && !isTimeUp();
         report_.keptIdle = isCrowded_;
         report_.changes.websRemoved = network_.websRemoved();
         report_.changes.holesFilled += closing_.holesFilled();
@@ -133,7 +123,45 @@ public:
         return report_;
     }
 
+    /// Where time is up before these steps are done, the mesh is what they left; once it is, none
+    /// is taken any more.
+    template <class Steps> void whileThereIsTime(TimeUp where, const Steps &steps)
+    {
+        if (isTimeUp())
+            return;
+        try {
+            watch_.look();
+            steps();
+        } catch (const TimeIsUp &) {
+            if (isSnapshot_) // which is not finished, so it is none
+                throw;
+            report_.timeUp = where;
+            closing_.endHere();
+            watch_.mindTime(false);
+        }
+    }
+
 private:
+    /// All that is left to do for a sound mesh.
+    void close()
+    {
+        watch_.mindTime(false);
+        if (isToBeClosed() && !isClosed(network_.mesh()))
+            report_.selfIntersections = closing_.close();
+        else if (!parameters_.surfaceFit || isTimeUp())
+            report_.selfIntersections = network_.findSelfIntersections().faces;
+        watch_.mindTime(!isTimeUp());
+    }
+
+    void measure()
+    {
+        const Measurement found = neuralmesh::measure(network_, sampler_, measuring_, isTimeUp());
+        report_.rmsError = found.error.rms;
+        report_.maxError = found.error.largest;
+        report_.coverage = found.support.coverage;
+        report_.unsupportedArea = found.support.unsupportedArea;
+    }
+
     /// Whether boundaries are those of the data, not those of a starting mesh that was given.
     bool learnsBoundaries() const { return shape_ == LearnedShape::found; }
     bool isToBeClosed() const
@@ -141,6 +169,7 @@ private:
         return learnsBoundaries() && parameters_.boundaries == BoundaryRule::closed;
     }
 
+    bool isTimeUp() const { return report_.timeUp != TimeUp::no; }
     bool isComplete() const { return closing_.room() <= 0; }
 
     void closeHolesInData()
@@ -180,7 +209,10 @@ private:
     int fit()
     {
         return fitSurface(network_, sampler_, random_, [&](double fraction, const char *activity) {
-            report(progress_, shareOfGrowth + (1 - shareOfGrowth) * fraction, activity);
+            if (isSnapshot_)
+                watch_.look();
+            else
+                watch_.report(shareOfGrowth + (1 - shareOfGrowth) * fraction, activity);
             return true;
         });
     }
@@ -234,7 +266,7 @@ private:
     /// Step 1, for a whole batch, sorted by space.
     void drawBatch(std::size_t count)
     {
-        sampler_.draw(random_, count, drawn_);
+        drawWatched(sampler_, random_, count, drawn_, watch_);
         order_.sort(drawn_, batch_);
     }
 
@@ -297,13 +329,9 @@ private:
         parameters.targetVertexCount = count;
         parameters.snapshots.clear();
         Random random = randomStream(parameters_.seed, Purpose::snapshot, snapshotsTaken_);
-        const Progress progress = [&](double, const char *) {
-            reportProgress();
-            return true;
-        };
         const NetworkTaker none;
-        Growth growth(snapshot, shape_, sampler_, parameters, random, progress, none,
-                      network_.workers());
+        Growth growth(snapshot, shape_, sampler_, parameters, random, none, network_.workers());
+        growth.isSnapshot_ = true;
         (growth.*finish)();
     }
 
@@ -318,24 +346,25 @@ private:
     SampleSupport supportOfBatch() const
     {
         return {toVcg(sampler_.bounds()), batch_,
-                wideningForFewPoints(sampler_.pointCount(), network_.vertexCount())};
+                wideningForFewPoints(sampler_.pointCount(), network_.vertexCount()), watch_};
     }
 
     void reportProgress()
     {
+        if (isSnapshot_) // the network's own work is as far as it was
+            return watch_.look();
         // Each split takes λ signals, so the share of the vertices is the share of the work.
         const double start = shape_ == LearnedShape::notAsked ? 0 : shareOfStart;
-        report(progress_,
-               start +
-                   (shareOfGrowth - start) * network_.vertexCount() / parameters_.targetVertexCount,
-               "Growing the network");
+        watch_.report(start + (shareOfGrowth - start) * network_.vertexCount() /
+                                  parameters_.targetVertexCount,
+                      "Growing the network");
     }
 
     const GrowthParameters &parameters_;
     LearnedShape shape_;
     bool hasBorders_; ///< of the data
     const Sampler &sampler_;
-    const Progress &progress_;
+    Watch &watch_;
     const NetworkTaker &takeSnapshot_;
     Random &random_;
     Random measuring_; ///< of its own, so that measuring changes nothing
@@ -347,19 +376,10 @@ private:
     std::vector<Point3> batch_; ///< what was drawn, in order
     GrowthReport report_;
     std::size_t snapshotsTaken_ = 0;
+    bool isSnapshot_ = false; ///< of another network
     /// Whether there are too few points for each vertex to win one. Then idle vertices are kept.
     bool isCrowded_ = false;
 };
-
-void requireEnoughPoints(const Sampler &sampler, int target)
-{
-    const auto wanted = static_cast<std::size_t>(target);
-    const std::size_t distinct = sampler.countDistinctPoints(wanted);
-    if (distinct < wanted)
-        throw InvalidParameter(Parameter::targetVertexCount,
-                               InvalidParameter::Problem::aboveDistinctPoints, target,
-                               static_cast<double>(distinct));
-}
 
 } // namespace
 
@@ -367,17 +387,14 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
                   const Progress &progress, const NetworkTaker &takeSnapshot)
 {
     parameters.validate();
-    requireEnoughPoints(sampler, parameters.targetVertexCount);
-    Workers workers(parameters.threads);
+    if (!progress.isTimeUp()) // or perhaps not all points were read
+        requireEnoughPoints(sampler, parameters.targetVertexCount);
+    Workers workers(parameters.threads, Watch(progress));
     Random random = randomStream(parameters.seed, Purpose::growth);
-    const Progress inStart = [&](double fraction, const char *activity) {
-        report(progress, shareOfStart * fraction, activity);
-        return true;
-    };
-    const Start start = makeStart(mesh, sampler, parameters, random, workers, inStart);
-    Growth growth(mesh, start.shape, sampler, parameters, random, progress, takeSnapshot, workers);
+    const Start start = makeStart(mesh, sampler, parameters, random, workers);
+    Growth growth(mesh, start.shape, sampler, parameters, random, takeSnapshot, workers);
     if (start.hasShape)
-        growth.settle();
+        growth.whileThereIsTime(TimeUp::inGrowth, [&] { growth.settle(); });
     GrowthReport report = growth.run();
     report.changes.isShapeClear = start.isShapeClear;
     report.changes.gaps = start.gaps;

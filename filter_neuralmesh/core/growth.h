@@ -22,6 +22,7 @@ struct GrowthReport {
     std::uint64_t collapseCount = 0; ///< vertices that went, those of webs among them
     int selfIntersections = 0;       ///< faces of the result that intersect another
     bool reachedTarget = false;
+    TimeUp timeUp = TimeUp::no;
     bool keptIdle = false; ///< vertices that win no sample, for want of points
     TopologyChanges changes;
     /// Distances of fresh samples from the result, in the unit frame.
@@ -53,7 +54,11 @@ using NetworkTaker = std::function<void(std::unique_ptr<NeuralMesh> snapshot)>;
 /// result; where not, they are the network as it is on the way. Those of
 /// fewer vertices than a start from the data has grow from a coarser one of their own.
 ///
-/// Always ends at the target: where splits and collapses come to balance each other before, as
+/// Where `progress` says that time is up, the result is the mesh so far: of fewer vertices,
+/// without the rest of the fit, and the tetrahedron that surrounds the samples where not even the
+/// start was made. It is as sound as any; the snapshots that were taken stay.
+///
+/// Otherwise ends at the target: where splits and collapses come to balance each other before, as
 /// happens when the target is close to the number of distinct points, vertices are no longer
 /// removed, and the report's keptIdle is true.
 ///

@@ -27,6 +27,7 @@ Report reportOf(const NeuralMesh &network, const GrowthReport &growth, double un
     report.collapseCount = growth.collapseCount;
     report.selfIntersections = growth.selfIntersections;
     report.reachedTarget = growth.reachedTarget;
+    report.timeUp = growth.timeUp;
     report.keptIdle = growth.keptIdle;
     report.changes = growth.changes;
     report.rmsError = growth.rmsError * unit;

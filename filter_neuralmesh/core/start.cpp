@@ -22,6 +22,24 @@ bool startsFromData(const GrowthParameters &parameters)
             parameters.startMesh == StartMesh::tetrahedron);
 }
 
+/// Where time is up meanwhile, there is no shape.
+void readShape(Start &start, NeuralMesh &mesh, const Sampler &sampler,
+               const GrowthParameters &parameters, Workers &workers)
+{
+    const Progress progress = [&](double fraction, const char *activity) {
+        workers.watch().report(shareOfStart * fraction, activity);
+        return true;
+    };
+    try {
+        const CoarseShape found = startFromData(mesh, sampler, parameters, workers, progress);
+        start.shape = found.isTrusted ? LearnedShape::found : LearnedShape::notFound;
+        start.isShapeClear = !found.isTrusted || found.isClear;
+        start.gaps = found.isTrusted ? found.openings : 0;
+    } catch (const TimeIsUp &) {
+        start.shape = LearnedShape::notFinished;
+    }
+}
+
 } // namespace
 
 void requireAtLeast(Parameter parameter, int count, int startingVertices)
@@ -31,19 +49,26 @@ void requireAtLeast(Parameter parameter, int count, int startingVertices)
                                startingVertices);
 }
 
+void requireEnoughPoints(const Sampler &sampler, int target)
+{
+    const auto wanted = static_cast<std::size_t>(target);
+    const std::size_t distinct = sampler.countDistinctPoints(wanted);
+    if (distinct < wanted)
+        throw InvalidParameter(Parameter::targetVertexCount,
+                               InvalidParameter::Problem::aboveDistinctPoints, target,
+                               static_cast<double>(distinct));
+}
+
 Start makeStart(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-                Random &random, Workers &workers, const Progress &progress)
+                Random &random, Workers &workers)
 {
     Start start;
-    if (startsFromData(parameters)) {
-        const CoarseShape found = startFromData(mesh, sampler, parameters, workers, progress);
-        start.shape = found.isTrusted ? LearnedShape::found : LearnedShape::notFound;
-        start.isShapeClear = !found.isTrusted || found.isClear;
-        start.gaps = found.isTrusted ? found.openings : 0;
-    }
+    if (startsFromData(parameters))
+        readShape(start, mesh, sampler, parameters, workers);
     const bool isFound = start.shape == LearnedShape::found;
     start.hasShape = isFound || parameters.startMesh == StartMesh::given;
-    if (sampler.isFlat() && (!start.hasShape || isClosed(mesh)))
+    const bool isFinished = start.shape != LearnedShape::notFinished;
+    if (isFinished && sampler.isFlat() && (!start.hasShape || isClosed(mesh)))
         throw FlatTarget(start.shape != LearnedShape::notAsked);
     if (!start.hasShape) {
         std::vector<Point> drawn;

@@ -5,12 +5,14 @@
 #include "core/mesh/neural_mesh.h"
 #include "core/parallel/workers.h"
 #include "neuralmesh/parameters.h"
-#include "neuralmesh/progress.h"
 #include "neuralmesh/random.h"
 #include "neuralmesh/report.h"
 #include "neuralmesh/sampler.h"
 
 namespace neuralmesh {
+
+/// Of the time of a run, for a start from the data.
+constexpr double shareOfStart = 0.05;
 
 struct Start {
     LearnedShape shape = LearnedShape::notAsked;
@@ -26,9 +28,13 @@ struct Start {
 ///
 /// Throws InvalidParameter where the target has fewer vertices than it, or a snapshot of what does
 /// not start from the data; FlatTarget where nothing but a closed surface could come of points on a
-/// plane; Cancelled where `progress` says so.
+/// plane; Cancelled. Where the watch of the workers finds that time is up
+/// before there is a shape, it is the solid.
 Start makeStart(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
-                Random &random, Workers &workers, const Progress &progress);
+                Random &random, Workers &workers);
+
+/// Throws InvalidParameter where the target has more vertices than there are distinct points.
+void requireEnoughPoints(const Sampler &sampler, int target);
 
 /// Throws InvalidParameter where the count of vertices that a parameter asks for is below that of
 /// the starting mesh.

@@ -24,12 +24,12 @@ std::vector<AttributeValues> vertexAttributes(const MeshModel &layer)
 }
 
 /// Every stride-th vertex.
-void addVertices(AttributeTransfer &transfer, const MeshModel &layer, std::size_t stride)
+void addVertices(AttributeTransfer &transfer, const MeshModel &layer, std::size_t stride,
+                 const neuralmesh::Progress &progress)
 {
     const std::vector<neuralmesh::Point> points = worldPoints(layer);
     const std::vector<AttributeValues> values = vertexAttributes(layer);
-    for (std::size_t i = 0; i < points.size(); i += stride)
-        transfer.add(points[i], values[i]);
+    transfer.addPoints(points, values, stride, progress);
 }
 
 bool anyHas(const AttributeSource &source, int mask)
@@ -40,7 +40,8 @@ bool anyHas(const AttributeSource &source, int mask)
 
 } // namespace
 
-Attributes transferAttributes(const AttributeSource &source, const neuralmesh::Mesh &mesh)
+Attributes transferAttributes(const AttributeSource &source, const neuralmesh::Mesh &mesh,
+                              const neuralmesh::Progress &progress)
 {
     Attributes attributes;
     attributes.hasColour = anyHas(source, MeshModel::MM_VERTCOLOR);
@@ -54,9 +55,9 @@ Attributes transferAttributes(const AttributeSource &source, const neuralmesh::M
     AttributeTransfer transfer(mesh);
     for (const MeshModel *layer : source.layers)
         if (source.onFaces)
-            transfer.addSurface(worldMesh(*layer), vertexAttributes(*layer), enough);
+            transfer.addSurface(worldMesh(*layer), vertexAttributes(*layer), enough, progress);
         else
-            addVertices(transfer, *layer, vertices / enough + 1);
+            addVertices(transfer, *layer, vertices / enough + 1, progress);
     attributes.values = transfer.average();
     return attributes;
 }

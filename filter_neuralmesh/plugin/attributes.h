@@ -24,7 +24,8 @@ struct Attributes {
 
 /// Averages the layers' colours and qualities onto the result's vertices, as far as any layer has
 /// them. Looks at a bounded number of points for each vertex, whatever the layers' size.
-Attributes transferAttributes(const AttributeSource &source, const neuralmesh::Mesh &mesh);
+Attributes transferAttributes(const AttributeSource &source, const neuralmesh::Mesh &mesh,
+                              const neuralmesh::Progress &progress);
 
 /// Gives the attributes to the layer made of the same result.
 void setAttributes(MeshModel &layer, const Attributes &attributes);

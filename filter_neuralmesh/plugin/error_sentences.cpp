@@ -23,6 +23,7 @@ std::string filterParameter(Parameter parameter)
     case Parameter::counterDecay: return named("CounterDecay");
     case Parameter::snapshots: return named("Snapshots");
     case Parameter::maxHoleSize: return named("MaxHoleSize");
+    case Parameter::timeLimit: return named("TimeLimit");
     }
     return {};
 }

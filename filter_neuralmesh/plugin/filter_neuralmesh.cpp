@@ -159,7 +159,8 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
     const auto start = std::chrono::steady_clock::now();
     neuralmesh::GrowthParameters growthParameters = readGrowthParameters(parameters);
     growthParameters.validate();
-    const neuralmesh::Progress progress = throttledProgress(callback);
+    const neuralmesh::Progress progress =
+        throttledProgress(callback, neuralmesh::Deadline::in(parameters.getFloat("TimeLimit")));
     const TargetSpace target =
         makeTarget(neuralmesh::part(progress, 0, neuralmesh::shareOfOpening));
     growthParameters.maxHoleSize =
@@ -187,7 +188,8 @@ std::map<std::string, QVariant> FilterNeuralMesh::reconstruct(const RichParamete
         !target.attributes.layers.empty() && parameters.getBool("TransferAttributes");
     // All that may fail comes before the document changes.
     const auto attributesOf = [&](const neuralmesh::Mesh &mesh) {
-        return withAttributes ? transferAttributes(target.attributes, mesh) : Attributes{};
+        return withAttributes ? transferAttributes(target.attributes, mesh, progress)
+                              : Attributes{};
     };
     std::vector<Attributes> attributes;
     for (const neuralmesh::Mesh &snapshot : result.snapshots)

@@ -38,6 +38,11 @@ void addGrowthParameters(RichParameterList &list)
                           "Processor cores that share the work; 0 takes all, or as many as "
                           "OMP_NUM_THREADS allows. The mesh is the same for any number.",
                           advanced));
+    list.addParam(RichFloat("TimeLimit", 0, "Time limit",
+                            "Seconds after which the filter ends with the mesh so far; 0: none. "
+                            "The result says by reached_target, and the log in words, that it was "
+                            "cut short. With a limit, the mesh depends on the machine.",
+                            advanced));
     list.addParam(RichFloat("WinnerRate", real(d.winnerRate), "Winner rate",
                             "How far the vertex nearest to a sample moves towards it, as a share "
                             "of the distance (the paper's alpha_w). Between 0 and 1.",

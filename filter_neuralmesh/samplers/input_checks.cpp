@@ -30,6 +30,13 @@ Eigen::Vector3d principalWidths(const std::vector<Point3> &points)
     return high - low;
 }
 
+std::string butIgnored(std::uint64_t count)
+{
+    if (count == 0)
+        return {};
+    return " but " + std::to_string(count) + (count == 1 ? " isolated one" : " isolated ones");
+}
+
 } // namespace
 
 void refuseNotFinite(std::uint64_t notFinite, std::uint64_t points, std::uint64_t first)
@@ -75,11 +82,12 @@ void requireFourPoints(std::size_t distinct)
                            " distinct points: a closed surface needs at least 4.");
 }
 
-bool isFlat(const std::vector<Point3> &points)
+bool isFlat(const std::vector<Point3> &points, std::uint64_t ignored)
 {
     const Eigen::Vector3d widths = principalWidths(points);
     if (widths[1] < flatExtent)
-        throw InvalidInput("All points lie on a line: there is no surface to reconstruct.");
+        throw InvalidInput("All points" + butIgnored(ignored) +
+                           " lie on a line: there is no surface to reconstruct.");
     return widths[0] < flatExtent;
 }
 

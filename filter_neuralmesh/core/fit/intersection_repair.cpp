@@ -77,8 +77,9 @@ private:
     {
         moved_.reset();
         for (int round = 0;; ++round) {
+            watch().look();
             const std::vector<VertexId> found = find();
-            if (found.empty() || round == rounds)
+            if (found.empty() || round == rounds || watch().isTimeUp())
                 return;
             for (const VertexId v : found) {
                 move(v);
@@ -88,6 +89,8 @@ private:
             }
         }
     }
+
+    const Watch &watch() const { return network_.workers().watch(); }
 
     void moveToMiddle(VertexId v)
     {
@@ -128,7 +131,8 @@ int repairIntersections(GrowingNetwork &network, const VertexData<Point3> &befor
 {
     const RimNeighbours rim(network.mesh());
     IntersectionRepair repair(network, rim);
-    return repair.restore(before) == 0 ? 0 : repair.smooth();
+    const int left = repair.restore(before);
+    return left == 0 || network.workers().watch().isTimeUp() ? left : repair.smooth();
 }
 
 void unfold(GrowingNetwork &network, const std::vector<VertexId> &sheet)

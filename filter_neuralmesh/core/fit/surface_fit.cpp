@@ -22,6 +22,7 @@
 #include "core/space/morton_order.h"
 #include "core/space/plain_points.h"
 #include "core/space/point_statistics.h"
+#include "core/space/watched_draw.h"
 
 namespace neuralmesh {
 namespace {
@@ -124,7 +125,9 @@ public:
         trustInBending_ = number < sweepsAfterGrowth ? 1 - noise_ : 1;
         move(step);
         noteResiduals();
+        network_.workers().watch().look();
         network_.evenValences();
+        network_.workers().watch().look();
         if (firstExchange <= number && number < lastExchange)
             exchangeIrregular();
     }
@@ -155,7 +158,7 @@ private:
     {
         accumulators_.reset();
         reach_.fade(mostInformation());
-        sampler_.draw(random_, samplesOfSweep(), drawn_);
+        drawWatched(sampler_, random_, samplesOfSweep(), drawn_, network_.workers().watch());
         order_.sort(drawn_, samples_);
         const SampleLocator locator = network_.locator();
         projections_.resize(samples_.size());
@@ -316,6 +319,8 @@ private:
         const Eigen::Vector3d d = system.ldlt().solve(pull);
         const Point3 displacement(d[0], d[1], d[2]);
         const Scalar length = displacement.Norm();
+        if (!std::isfinite(length)) // of faces without an extent
+            return {0, 0, 0};
         const Scalar most = longestMove * shortestEdge(mesh_, v);
         return length > most ? displacement * (most / length) : displacement;
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
+#include "core/parallel/workers.h"
 
 namespace neuralmesh {
 
@@ -12,8 +13,9 @@ struct SelfIntersections {
     std::vector<VertexId> corners; ///< of these, ascending
 };
 
-/// Makes the mesh's faces anew and asks VCG, which tests the faces that share a cell of a grid with
-/// each other.
+/// Makes the mesh's faces anew, and tests those that share a cell of a grid with each other, as VCG
+/// does. The mesh stays as it is where the watch of the workers throws.
+SelfIntersections findSelfIntersections(NeuralMesh &mesh, Workers &workers);
 SelfIntersections findSelfIntersections(NeuralMesh &mesh);
 
 } // namespace neuralmesh

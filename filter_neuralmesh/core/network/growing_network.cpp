@@ -99,7 +99,7 @@ void GrowingNetwork::moveVertex(VertexId v, const Point3 &position)
 
 SelfIntersections GrowingNetwork::findSelfIntersections()
 {
-    return neuralmesh::findSelfIntersections(mesh_);
+    return neuralmesh::findSelfIntersections(mesh_, workers_);
 }
 
 int GrowingNetwork::closeBoundaries()

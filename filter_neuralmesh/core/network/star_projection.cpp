@@ -82,6 +82,9 @@ StarProjection projectOnStar(const NeuralMesh &mesh, VertexId v, const Point3 &q
         a = b;
         toA = toB;
     }
+    // Faces without an extent have no place of theirs that is nearest.
+    if (!(best.squaredDistance < std::numeric_limits<Scalar>::infinity()))
+        best = {{v, ring[0], ring[1]}, {1, 0, 0}, target, target.SquaredNorm()};
     return best;
 }
 

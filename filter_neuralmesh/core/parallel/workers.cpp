@@ -6,7 +6,7 @@
 
 namespace neuralmesh {
 
-Workers::Workers(int threads)
+Workers::Workers(int threads, const Watch &watch) : watch_(watch)
 {
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const int wanted = std::min(threads > 0 ? threads : cores, mostThreads);
@@ -31,9 +31,12 @@ Workers::~Workers()
 
 void Workers::run(std::size_t chunks, const ChunkWork &work)
 {
+    watch_.look(); // other threads may leave no chunk to this one
     if (threads_.empty() || chunks < 2) {
-        for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+        for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+            watch_.look();
             work(chunk, 0);
+        }
         return;
     }
     {
@@ -80,9 +83,12 @@ void Workers::takeChunks(const ChunkWork &work, std::size_t chunks, int worker)
 {
     for (std::size_t chunk = nextChunk_++; chunk < chunks; chunk = nextChunk_++)
         try {
+            if (worker == 0) // the thread of the run
+                watch_.look();
             work(chunk, worker);
         } catch (...) {
             noteFailure(chunk);
+            nextChunk_ = chunks;
         }
 }
 

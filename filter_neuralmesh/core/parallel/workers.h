@@ -12,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/parallel/watch.h"
+
 namespace neuralmesh {
 
 /// The most threads that can be asked for.
@@ -25,18 +27,21 @@ inline constexpr int mostThreads = 256;
 class Workers {
 public:
     /// So many threads, the caller's among them; 0 takes one for each core. Where the system gives
-    /// fewer, there are fewer.
-    explicit Workers(int threads = 1);
+    /// fewer, there are fewer. Loops look at the watch between two chunks.
+    explicit Workers(int threads = 1, const Watch &watch = {});
     ~Workers();
     Workers(const Workers &) = delete;
     Workers &operator=(const Workers &) = delete;
+
+    /// Of the run that the loops are part of.
+    Watch &watch() { return watch_; }
 
     int count() const { return static_cast<int>(threads_.size()) + 1; }
 
     /// Calls work(first, end, worker) for each chunk [first, end) of the indices below `count`, on
     /// any thread and in any order, and returns after the last. `worker`, below count(), tells
-    /// threads apart: for scratch memory. Throws what the first chunk that fails has thrown. Not to
-    /// be called from within `work`.
+    /// threads apart: for scratch memory. Throws what the first chunk that fails has thrown, and
+    /// what the watch does: then chunks are left out. Not to be called from within `work`.
     template <class Work>
     void forEachChunk(std::size_t count, std::size_t chunkSize, const Work &work)
     {
@@ -54,6 +59,7 @@ private:
     void takeChunks(const ChunkWork &work, std::size_t chunks, int worker);
     void noteFailure(std::size_t chunk);
 
+    Watch watch_;
     std::vector<std::thread> threads_;
     std::mutex mutex_; ///< guards what follows, but for nextChunk_
     std::condition_variable loopStarts_, loopEnds_;

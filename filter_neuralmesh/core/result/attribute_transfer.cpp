@@ -16,6 +16,16 @@ namespace {
 /// Of the places on a surface.
 constexpr std::uint64_t seedOfPlaces = 1;
 
+/// Points between two reports, and as many as are looked at where time is up.
+constexpr std::size_t pointsPerReport = 4096;
+constexpr std::size_t pointsInHaste = 40000;
+
+/// Throws Cancelled.
+void reportTransfer(const Progress &progress)
+{
+    report(progress, 1, "Transferring attributes");
+}
+
 struct Sum {
     double weight = 0;
     AttributeValues values{}; ///< weighted
@@ -160,8 +170,23 @@ void AttributeTransfer::add(const Point &point, const AttributeValues &values)
     vertices_->add(point, values);
 }
 
+void AttributeTransfer::addPoints(const std::vector<Point> &points,
+                                  const std::vector<AttributeValues> &values, std::size_t stride,
+                                  const Progress &progress)
+{
+    std::size_t added = 0;
+    for (std::size_t i = 0; i < points.size(); i += stride) {
+        if (added++ % pointsPerReport == 0) {
+            reportTransfer(progress);
+            if (progress.isTimeUp())
+                stride = std::max(stride, points.size() / pointsInHaste + 1);
+        }
+        add(points[i], values[i]);
+    }
+}
+
 void AttributeTransfer::addSurface(const Mesh &mesh, const std::vector<AttributeValues> &values,
-                                   std::size_t count)
+                                   std::size_t count, const Progress &progress)
 {
     const auto position = [&](VertexId v) { return toVcg(mesh.positions[v]); };
     std::vector<double> areas;
@@ -171,6 +196,11 @@ void AttributeTransfer::addSurface(const Mesh &mesh, const std::vector<Attribute
     const AliasTable table(areas);
     Random random(seedOfPlaces);
     for (std::size_t i = 0; i < count; ++i) {
+        if (i % pointsPerReport == 0) {
+            reportTransfer(progress);
+            if (i >= pointsInHaste && progress.isTimeUp())
+                return;
+        }
         const Corners &f = mesh.triangles[table.draw(random)];
         const double root = std::sqrt(random.unit()); // uniform in the triangle (Turk 1990)
         const double share = random.unit();

@@ -40,7 +40,8 @@ void Convergence::note(const GrowingNetwork &network)
 
 double Convergence::errorOf(const GrowingNetwork &network)
 {
-    return neuralmesh::errorOf(measureDistances(network, sampler_, random_, samplesPerVertex)).rms;
+    const std::size_t samples = samplesPerVertex * static_cast<std::size_t>(network.vertexCount());
+    return neuralmesh::errorOf(measureDistances(network, sampler_, random_, samples)).rms;
 }
 
 } // namespace neuralmesh

@@ -2,14 +2,15 @@
 #include "core/result/sample_distances.h"
 
 #include "core/space/morton_order.h"
+#include "core/space/watched_draw.h"
 
 namespace neuralmesh {
 
 SampleDistances measureDistances(const GrowingNetwork &network, const Sampler &sampler,
-                                 Random &random, std::size_t samplesPerVertex)
+                                 Random &random, std::size_t samples)
 {
     std::vector<Point> drawn;
-    sampler.draw(random, samplesPerVertex * static_cast<std::size_t>(network.vertexCount()), drawn);
+    drawWatched(sampler, random, samples, drawn, network.workers().watch());
     SampleDistances distances;
     MortonOrder(sampler.bounds()).sort(drawn, distances.samples);
     distances.squared.resize(distances.samples.size());

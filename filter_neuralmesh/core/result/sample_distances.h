@@ -15,9 +15,9 @@ struct SampleDistances {
     std::vector<Scalar> squared; ///< distance of each from the nearest face, squared
 };
 
-/// Draws `samplesPerVertex` samples for each vertex. The nearest face is found as in the fit, and
+/// Of so many samples. The nearest face is found as in the fit, and
 /// where that may miss it, around the nearest vertex's neighbours.
 SampleDistances measureDistances(const GrowingNetwork &network, const Sampler &sampler,
-                                 Random &random, std::size_t samplesPerVertex);
+                                 Random &random, std::size_t samples);
 
 } // namespace neuralmesh

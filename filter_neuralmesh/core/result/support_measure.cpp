@@ -48,7 +48,7 @@ SupportFigures supportOf(const GrowingNetwork &network, const SampleDistances &d
     Box3 bounds;
     for (const Point3 &sample : distances.samples)
         bounds.Add(sample);
-    const SampleSupport support(bounds, distances.samples);
+    const SampleSupport support(bounds, distances.samples, 1, network.workers().watch());
     return {static_cast<double>(near) / static_cast<double>(distances.samples.size()),
             unsupportedShareOfArea(network.mesh(), support, far)};
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
+#include "core/parallel/watch.h"
 #include "core/space/vertex_grid.h"
 
 namespace neuralmesh {
@@ -13,10 +14,14 @@ class SampleSupport {
 public:
     /// Needs at least one sample. Where even all points of the target space are sparse, `widening`
     /// makes up for it.
-    SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples, Scalar widening = 1);
+    SampleSupport(const Box3 &bounds, const std::vector<Point3> &samples, Scalar widening = 1,
+                  const Watch &watch = {});
 
     /// Whether a sample lies within the radius, times the widening.
     bool hasWithin(const Point3 &place, Scalar radius) const;
+
+    /// Where work that asks for many places looks.
+    const Watch &watch() const { return watch_; }
 
     const Point3 &nearest(const Point3 &place) const { return samples_[grid_.nearest(place)]; }
     Scalar squaredDistance(const Point3 &place) const
@@ -28,6 +33,7 @@ private:
     std::vector<Point3> samples_;
     VertexGrid grid_;
     Scalar widening_;
+    Watch watch_;
 };
 
 } // namespace neuralmesh

@@ -28,6 +28,9 @@ constexpr Scalar farFromFace = 0.5;
 /// A flip must shorten by this factor to count as progress.
 constexpr Scalar shortening = 0.8;
 
+/// Some milliseconds.
+constexpr std::size_t verticesPerLook = 1024;
+
 /// Whether an edge is overlong for the spacings at its ends.
 bool exceeds(Scalar length, Scalar spacing, Scalar otherSpacing)
 {
@@ -58,6 +61,8 @@ public:
         while (!open_.empty()) {
             const VertexId v = open_.back();
             open_.pop_back();
+            if (open_.size() % verticesPerLook == 0)
+                support_.watch().look();
             flips += retractAt(v) ? 1 : 0;
         }
         return flips;

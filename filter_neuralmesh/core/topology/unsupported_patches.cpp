@@ -18,6 +18,9 @@ constexpr Scalar farDistance = 0.35;
 /// Supported islands in a patch are filled up to this size: a few faces, and half the patch.
 constexpr std::size_t smallIsland = 10;
 
+/// Some milliseconds.
+constexpr VertexId verticesPerLook = 1024;
+
 } // namespace
 
 PatchSearch::PatchSearch(const NeuralMesh &mesh, const FaceTable &faces,
@@ -31,6 +34,8 @@ PatchSearch::PatchSearch(const NeuralMesh &mesh, const FaceTable &faces,
 void PatchSearch::judgeEdges(const SampleSupport &support)
 {
     forEachEdge(mesh_, [&](VertexId a, VertexId b) {
+        if (a % verticesPerLook == 0)
+            support.watch().look();
         const Point3 middle = (mesh_.position(a) + mesh_.position(b)) / 2;
         if (support.hasWithin(middle, farDistance * edgeLength(mesh_, a, b)))
             return;

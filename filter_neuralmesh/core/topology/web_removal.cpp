@@ -31,8 +31,10 @@ public:
     std::vector<Refilling> run()
     {
         for (FaceId face = 0; face < faces_.size(); ++face)
-            if (patches_.isSeed(face))
+            if (patches_.isSeed(face)) {
+                support_.watch().look();
                 tryAt(face);
+            }
         return std::move(found_);
     }
 

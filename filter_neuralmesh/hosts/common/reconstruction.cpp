@@ -64,12 +64,31 @@ std::string topology(const Report &report, const HostTerms &terms)
                       "handles or parts may be missing, or too many. More points may help, or less "
                       "noise.";
         break;
+    case LearnedShape::notFinished:
+        text +=
+            " It is that of the starting mesh, since the shape of the data was not read in time.";
+        break;
     case LearnedShape::notFound:
         text += " Warning: it is that of the starting mesh, since the points tell no shape that "
                 "can be trusted. More points may help, or less noise, or a " +
                 terms.startingMesh + ".";
     }
     return text + topologyChanges(report.changes);
+}
+
+/// How a deadline cut the run short; nothing where none did.
+std::string timeUp(const Report &report, const HostTerms &terms)
+{
+    const std::string limit = " " + terms.parameter(Parameter::timeLimit);
+    switch (report.timeUp) {
+    case TimeUp::no: break;
+    case TimeUp::inGrowth: return limit + " ended the growth: this is the mesh so far.";
+    case TimeUp::inSurfaceFit:
+        return limit +
+               " ended the surface fit: this is the mesh so far, less accurate than it would "
+               "have become.";
+    }
+    return {};
 }
 
 /// What in the result is not to be trusted, and what to try.
@@ -113,6 +132,7 @@ std::string summary(const Reconstruction &reconstruction, const HostTerms &terms
                        grouped(report.signalCount) + " signals, " + grouped(report.splitCount) +
                        " splits, " + grouped(report.collapseCount) + " collapses, seed " +
                        std::to_string(reconstruction.seed) + ", " + seconds + ".";
+    text += timeUp(report, terms);
     if (report.keptIdle)
         text += " To reach " + terms.parameter(Parameter::targetVertexCount) +
                 ", vertices were kept that are nearest to no sample. That is no harm by itself; it "

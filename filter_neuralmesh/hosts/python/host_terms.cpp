@@ -17,6 +17,7 @@ const char *keyOf(Parameter parameter)
     case Parameter::counterDecay: return "counter_decay";
     case Parameter::snapshots: return "snapshots";
     case Parameter::maxHoleSize: return "max_hole_size";
+    case Parameter::timeLimit: return "time_limit";
     }
     return "";
 }

@@ -24,15 +24,16 @@ constexpr auto betweenReports = std::chrono::milliseconds(100);
 class Task {
 public:
     /// On the thread of the work.
-    void run(Work work)
+    void run(Work work, const Deadline &deadline)
     {
         try {
-            work([this](double fraction, const char *activity) {
-                // Estimates of what is left may grow; users are not told.
-                fraction_ = std::max<double>(fraction_, fraction);
-                activity_ = activity;
-                return !isCancelled_;
-            });
+            work({[this](double fraction, const char *activity) {
+                      // Estimates of what is left may grow; users are not told.
+                      fraction_ = std::max<double>(fraction_, fraction);
+                      activity_ = activity;
+                      return !isCancelled_;
+                  },
+                  deadline});
         } catch (...) {
             error_ = std::current_exception();
         }
@@ -80,9 +81,10 @@ Abandoned &abandoned()
 /// Waits for the thread, or abandons it where something is thrown meanwhile.
 class Worker {
 public:
-    Worker(std::shared_ptr<Task> task, Work work)
-        : task_(std::move(task)), thread_([shared = task_, moved = std::move(work)]() mutable {
-              shared->run(std::move(moved));
+    Worker(std::shared_ptr<Task> task, Work work, const Deadline &deadline)
+        : task_(std::move(task)),
+          thread_([shared = task_, moved = std::move(work), deadline]() mutable {
+              shared->run(std::move(moved), deadline);
           })
     {
     }
@@ -119,10 +121,10 @@ bool isDoneWithin(Task &task, std::chrono::milliseconds time)
 
 } // namespace
 
-void runInterruptibly(Work work, const nb::object &progress)
+void runInterruptibly(Work work, const nb::object &progress, const Deadline &deadline)
 {
     const auto task = std::make_shared<Task>();
-    Worker worker(task, std::move(work));
+    Worker worker(task, std::move(work), deadline);
     auto lastReport = Clock::now();
     while (!isDoneWithin(*task, betweenSignalChecks)) {
         if (PyErr_CheckSignals() != 0)

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "neuralmesh/deadline.h"
 #include "neuralmesh/progress.h"
 
 namespace neuralmesh::python {
@@ -21,21 +22,21 @@ using Work = std::function<void(const Progress &)>;
 /// None, is told the fraction and the activity. Rethrows what the work throws, with the GIL.
 ///
 /// Where a signal's handler or `progress` raises, that is rethrown at once; where `progress`
-/// returns False, Cancelled. The core then may work on for some tenths of a second, until it next
-/// reports progress: joinAbandoned() waits for it.
-void runInterruptibly(Work work, const nanobind::object &progress);
+/// returns False, Cancelled. The work is told the deadline. The core then may work on for some
+/// tenths of a second, until it next reports progress: joinAbandoned() waits for it.
+void runInterruptibly(Work work, const nanobind::object &progress, const Deadline &deadline);
 
 /// Waits for threads whose work was cancelled. Python calls it before it ends.
 void joinAbandoned();
 
 /// The same for work that returns something, of a type that can be made without the GIL.
 template <class Value, class Function>
-Value resultOf(Function function, const nanobind::object &progress)
+Value resultOf(Function function, const nanobind::object &progress, const Deadline &deadline)
 {
     auto value = std::make_shared<Value>();
     runInterruptibly([value, function = std::move(function)](
                          const Progress &report) { *value = function(report); },
-                     progress);
+                     progress, deadline);
     return std::move(*value);
 }
 

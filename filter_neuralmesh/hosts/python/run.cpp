@@ -77,7 +77,7 @@ struct Run {
 
 /// Wants max_hole_size as a length. `start` is None or (vertices, faces).
 nb::tuple run(const Target &target, GrowthParameters parameters, const nb::object &start,
-              const TypedNames &names, const nb::object &progress)
+              const TypedNames &names, const nb::object &progress, const Deadline &deadline)
 {
     parameters.maxHoleSize /= target.sampler->frame().diagonal();
     parameters.threads = threadsAllowed(parameters.threads);
@@ -87,7 +87,7 @@ nb::tuple run(const Target &target, GrowthParameters parameters, const nb::objec
             Mesh{pointsOf(nb::cast<AnyArray>(start[0])), cornersOf(nb::cast<AnyArray>(start[1]))});
     Reconstruction made;
     try {
-        made = resultOf<Reconstruction>(std::move(run), progress);
+        made = resultOf<Reconstruction>(std::move(run), progress, deadline);
     } catch (const InvalidInput &error) {
         throw InvalidInput(sentenceFor(error, hostTerms(names)));
     }
@@ -99,6 +99,16 @@ nb::tuple run(const Target &target, GrowthParameters parameters, const nb::objec
     return nb::make_tuple(arraysOf(std::move(made.result.mesh)), info, snapshots, text);
 }
 
+/// From now on.
+Deadline deadlineIn(double seconds, const TypedNames &names)
+{
+    try {
+        return Deadline::in(seconds);
+    } catch (const InvalidInput &error) {
+        throw InvalidInput(sentenceFor(error, hostTerms(names)));
+    }
+}
+
 void check(const GrowthParameters &parameters, const TypedNames &names)
 {
     try {
@@ -108,13 +118,10 @@ void check(const GrowthParameters &parameters, const TypedNames &names)
     }
 }
 
-/// How many points are added between two looks at whether to stop.
-constexpr std::size_t pointsBetweenReports = 4096;
-
 /// Of points, or where there are faces, of places all over them: `values` of each, red, green,
 /// blue, alpha and quality, averaged onto the vertices of the mesh. The filter looks at as many.
 nb::object transferAttributes(AnyArray points, const nb::object &faces, AnyArray values,
-                              AnyArray meshVertices, AnyArray meshFaces)
+                              AnyArray meshVertices, AnyArray meshFaces, const Deadline &deadline)
 {
     const auto average =
         [points = SharedArray(std::move(points)), faces = optionalArray(faces),
@@ -123,19 +130,15 @@ nb::object transferAttributes(AnyArray points, const nb::object &faces, AnyArray
             AttributeTransfer transfer(mesh);
             const std::vector<Point> places = pointsOf(*points);
             const std::vector<AttributeValues> given = attributesOf(*values);
-            if (faces) {
+            if (faces)
                 transfer.addSurface({places, cornersOf(**faces)}, given,
-                                    AttributeTransfer::pointsPerVertex * mesh.positions.size());
-                return transfer.average();
-            }
-            for (std::size_t i = 0; i < places.size(); ++i) {
-                transfer.add(places[i], given[i]);
-                if (i % pointsBetweenReports == 0)
-                    report(progress, 1, "Transferring attributes");
-            }
+                                    AttributeTransfer::pointsPerVertex * mesh.positions.size(),
+                                    progress);
+            else
+                transfer.addPoints(places, given, 1, progress);
             return transfer.average();
         };
-    return arrayOf(resultOf<std::vector<AttributeValues>>(average, nb::none()));
+    return arrayOf(resultOf<std::vector<AttributeValues>>(average, nb::none(), deadline));
 }
 
 } // namespace
@@ -177,10 +180,16 @@ void defineReconstruction(nb::module_ &module)
         .def_rw("snapshots", &GrowthParameters::snapshots)
         .def_rw("random_seed", &GrowthParameters::seed)
         .def("check", check, "names"_a, "Raise InvalidInput where one is out of its range.");
+    nb::class_<Deadline>(module, "Deadline",
+                         "When a run ends with the mesh so far; never if unset.")
+        .def(nb::init<>())
+        .def_prop_ro("has_passed", &Deadline::hasPassed);
+    module.def("deadline_in", deadlineIn, "seconds"_a, "names"_a,
+               "Return the deadline that comes in so many seconds; 0: none.");
     module.def("reconstruct", run, "target"_a, "parameters"_a, "start"_a.none(), "names"_a,
-               "progress"_a.none());
+               "progress"_a.none(), "deadline"_a);
     module.def("transfer_attributes", transferAttributes, "points"_a, "faces"_a.none(), "values"_a,
-               "mesh_vertices"_a, "mesh_faces"_a);
+               "mesh_vertices"_a, "mesh_faces"_a, "deadline"_a);
     module.attr("POINTS_PER_VERTEX") = AttributeTransfer::pointsPerVertex;
 }
 

@@ -42,10 +42,12 @@ Target targetOf(std::unique_ptr<Sampler> sampler)
 }
 
 /// Opens a target space on a thread of its own; refusals get the words of the caller.
-template <class Open> Target opened(Open open, const nb::object &progress, const TypedNames &names)
+template <class Open>
+Target opened(Open open, const nb::object &progress, const TypedNames &names,
+              const Deadline &deadline = {})
 {
     try {
-        return resultOf<Target>(std::move(open), progress);
+        return resultOf<Target>(std::move(open), progress, deadline);
     } catch (const InvalidInput &error) {
         throw InvalidInput(sentenceFor(error, hostTerms(names)));
     }
@@ -68,11 +70,12 @@ Target pointsTarget(AnyArray points, const nb::object &density, const TypedNames
         progress, names);
 }
 
-Target fileTarget(const std::string &path, const TypedNames &names, const nb::object &progress)
+Target fileTarget(const std::string &path, const TypedNames &names, const nb::object &progress,
+                  const Deadline &deadline)
 {
     return opened(
         [path](const Progress &report) { return targetOf(pointFileSampler(path, report)); },
-        progress, names);
+        progress, names, deadline);
 }
 
 Target surfaceTarget(AnyArray vertices, AnyArray faces, const nb::object &density,
@@ -91,8 +94,8 @@ Target implicitTarget(const std::string &expression, const Point &lower, const P
                       const TypedNames &names, const nb::object &progress)
 {
     return opened(
-        [=](const Progress &) {
-            return targetOf(implicitSurfaceSampler({"expr", expression}, {lower, upper}));
+        [=](const Progress &report) {
+            return targetOf(implicitSurfaceSampler({"expr", expression}, {lower, upper}, report));
         },
         progress, names);
 }
@@ -102,10 +105,10 @@ Target parametricTarget(const std::array<std::string, 3> &coordinates,
                         const TypedNames &names, const nb::object &progress)
 {
     return opened(
-        [=](const Progress &) {
+        [=](const Progress &report) {
             return targetOf(parametricSurfaceSampler(
                 {Formula{"x", coordinates[0]}, {"y", coordinates[1]}, {"z", coordinates[2]}},
-                {u.first, u.second}, {v.first, v.second}));
+                {u.first, u.second}, {v.first, v.second}, report));
         },
         progress, names);
 }
@@ -126,7 +129,7 @@ void defineTargets(nb::module_ &module)
         });
     module.def("points_target", pointsTarget, "points"_a.noconvert(), "density"_a.none(), "names"_a,
                "progress"_a.none());
-    module.def("file_target", fileTarget, "path"_a, "names"_a, "progress"_a.none());
+    module.def("file_target", fileTarget, "path"_a, "names"_a, "progress"_a.none(), "deadline"_a);
     module.def("surface_target", surfaceTarget, "vertices"_a.noconvert(), "faces"_a.noconvert(),
                "density"_a.none(), "names"_a, "progress"_a.none());
     module.def("implicit_target", implicitTarget, "expression"_a, "lower"_a, "upper"_a, "names"_a,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "neuralmesh/geometry.h"
+#include "neuralmesh/progress.h"
 
 namespace neuralmesh {
 
@@ -30,10 +31,16 @@ public:
     /// A point in the mesh's coordinates. Fast where it is near the last one.
     void add(const Point &point, const AttributeValues &values);
 
+    /// Every stride-th of the points, with its values. Throws Cancelled; where time is up, fewer
+    /// are looked at.
+    void addPoints(const std::vector<Point> &points, const std::vector<AttributeValues> &values,
+                   std::size_t stride, const Progress &progress = {});
+
     /// `count` places uniform by area on the faces of a mesh with an area, with values between
     /// those of their corners, of which there is one for each position. The same at every run.
-    void addSurface(const Mesh &mesh, const std::vector<AttributeValues> &values,
-                    std::size_t count);
+    /// Throws Cancelled; where time is up, fewer are looked at.
+    void addSurface(const Mesh &mesh, const std::vector<AttributeValues> &values, std::size_t count,
+                    const Progress &progress = {});
 
     /// Values of the vertices, in order. Needs at least one point.
     std::vector<AttributeValues> average() const;

@@ -34,7 +34,7 @@ public:
     Cancelled() : std::runtime_error("Cancelled.") {}
 };
 
-/// The members of GrowthParameters that can be refused.
+/// What can be refused: members of GrowthParameters, but for the last.
 enum class Parameter {
     targetVertexCount,
     winnerRate,
@@ -45,7 +45,8 @@ enum class Parameter {
     threads,
     counterDecay,
     snapshots,
-    maxHoleSize
+    maxHoleSize,
+    timeLimit ///< no member, but that of Deadline::in()
 };
 
 /// The member's name, such as "targetVertexCount".

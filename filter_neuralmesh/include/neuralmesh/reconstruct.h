@@ -28,6 +28,10 @@ using SnapshotTaker = std::function<void(Mesh snapshot)>;
 /// sphere, or with Topology::learned of the data. The same sampler, parameters and seed give the
 /// same mesh, bit for bit.
 ///
+/// Where `progress` says that time is up, the result is the mesh so far, within about half a
+/// second: an oriented two-manifold as ever, with report.reachedTarget false. Where there is none
+/// yet, it is the solid that growth starts from.
+///
 /// Snapshots are taken at the vertex counts of parameters.snapshots and never touch the result.
 ///
 /// Throws InvalidParameter for parameters out of range or that do not fit the target space,

@@ -13,7 +13,16 @@ enum class LearnedShape {
     /// Growth started from it.
     found,
     /// Growth started from a solid, whose topology the result has.
-    notFound
+    notFound,
+    /// The time was up before: the result is the solid.
+    notFinished
+};
+
+/// Where the time of a run was up.
+enum class TimeUp {
+    no,           ///< or only when the mesh was finished
+    inGrowth,     ///< the mesh lacks vertices, or lacks them where errors are
+    inSurfaceFit, ///< the mesh has its vertices, but is not fitted
 };
 
 /// What was opened, joined and filled on the way to a result.
@@ -42,8 +51,10 @@ struct Report {
     std::uint64_t collapseCount = 0; ///< vertices that went, those of webs among them
     /// Faces that intersect another.
     int selfIntersections = 0;
-    /// Whether the mesh has as many vertices as were asked for.
+    /// Whether the mesh is finished: it has as many vertices as were asked for, and no deadline cut
+    /// its growth or its fit short.
     bool reachedTarget = false;
+    TimeUp timeUp = TimeUp::no;
     /// Whether vertices were kept that win no sample, for want of points.
     bool keptIdle = false;
 

@@ -22,6 +22,9 @@ constexpr double leastFilled = 0.5;
 /// Points drawn between two looks at whether the file has changed.
 constexpr std::size_t pointsPerLook = 1 << 20;
 
+/// The same while outliers are counted.
+constexpr std::uint64_t pointsPerReport = 1 << 16;
+
 /// Of so many points each is judged before the first is drawn, so that their outliers are counted.
 constexpr std::uint64_t mostPointsJudged = 200000;
 
@@ -79,7 +82,7 @@ try : path_(path), file_(path), records_(file_.bytes(), readPointLayout(file_.by
     for (const Point3 &point : pilotOf(records_))
         if (isToBeDrawn(point))
             kept.push_back(toUnit(frame_, point));
-    isFlat_ = neuralmesh::isFlat(kept);
+    isFlat_ = neuralmesh::isFlat(kept, left_.count);
     if (file_.hasChanged())
         throw InvalidInput(changed);
 } catch (const InvalidInput &problem) {
@@ -107,8 +110,7 @@ void PointFileSampler::setAsideOutliers(const vcg::Box3d &worldBounds, const Pro
     judgesEach_ = filter_.share() > 0 || records_.count() <= mostPointsJudged;
     const bool isCounted = records_.count() <= mostPointsJudged;
     if (isCounted || (!areInReach && !judgesEach_)) {
-        left_.count = countOutliers(progress);
-        left_.share = static_cast<double>(left_.count) / static_cast<double>(records_.count());
+        countOutliers(progress);
         judgesEach_ = judgesEach_ && left_.count > 0;
     } else if (judgesEach_) {
         left_.share = filter_.share();
@@ -121,16 +123,24 @@ void PointFileSampler::setAsideOutliers(const vcg::Box3d &worldBounds, const Pro
     setFrame(areInReach && left_.count == 0 ? worldBounds : kept);
 }
 
-std::uint64_t PointFileSampler::countOutliers(const Progress &progress) const
+/// Where time is up, an estimate by the first of the points.
+void PointFileSampler::countOutliers(const Progress &progress)
 {
-    std::uint64_t count = 0;
-    for (std::uint64_t i = 0; i < records_.count(); ++i) {
-        if (i % pointsPerLook == 0)
-            report(progress, static_cast<double>(i) / static_cast<double>(records_.count()),
+    std::uint64_t looked = 0;
+    for (; looked < records_.count(); ++looked) {
+        if (looked % pointsPerReport == 0) {
+            report(progress, static_cast<double>(looked) / static_cast<double>(records_.count()),
                    "Counting isolated points");
-        count += isToBeDrawn(records_.point(i)) ? 0 : 1;
+            if (looked > 0 && progress.isTimeUp())
+                break;
+        }
+        left_.count += isToBeDrawn(records_.point(looked)) ? 0 : 1;
     }
-    return count;
+    left_.share = static_cast<double>(left_.count) / static_cast<double>(looked);
+    left_.isEstimate = looked < records_.count();
+    if (left_.isEstimate)
+        left_.count = static_cast<std::uint64_t>(
+            std::llround(left_.share * static_cast<double>(records_.count())));
 }
 
 bool PointFileSampler::isToBeDrawn(const Point3 &world) const
@@ -138,7 +148,7 @@ bool PointFileSampler::isToBeDrawn(const Point3 &world) const
     return drawn_.IsIn(world) && !(judgesEach_ && filter_.isOutlier(world));
 }
 
-vcg::Box3d PointFileSampler::findWorldBounds(const Progress &progress) const
+vcg::Box3d PointFileSampler::findWorldBounds(const Progress &progress)
 {
     file_.expectRandomReads();
     const std::optional<vcg::Box3d> &claimed = records_.layout().claimedBounds;
@@ -146,6 +156,7 @@ vcg::Box3d PointFileSampler::findWorldBounds(const Progress &progress) const
         return *claimed;
     file_.expectPass();
     const PointSurvey survey = surveyPoints(records_, progress);
+    records_.keepFirst(survey.looked);
     file_.expectRandomReads();
     if (survey.notFinite > 0)
         refuseNotFinite(survey.notFinite, records_.count(), survey.firstNotFinite);

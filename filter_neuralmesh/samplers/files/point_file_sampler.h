@@ -20,7 +20,8 @@ public:
     /// Opens a file of binary PLY, LAS or NPY. Takes one pass over it to find the bounds and
     /// points that are not finite, except where a LAS header claims bounds that fit its points.
     /// Throws InvalidPointFile where it is missing, broken or of another format,
-    /// and where its points are such that PointCloudSampler refuses them; Cancelled.
+    /// and where its points are such that PointCloudSampler refuses them; Cancelled. Where time is
+    /// up, the points are those that were looked at until then, some of the first.
     explicit PointFileSampler(const std::string &path, const Progress &progress = {});
 
     const UnitFrame &frame() const override { return frame_; }
@@ -38,8 +39,8 @@ public:
 private:
     void setFrame(const vcg::Box3d &worldBounds);
     void setAsideOutliers(const vcg::Box3d &worldBounds, const Progress &progress);
-    vcg::Box3d findWorldBounds(const Progress &progress) const;
-    std::uint64_t countOutliers(const Progress &progress) const;
+    vcg::Box3d findWorldBounds(const Progress &progress);
+    void countOutliers(const Progress &progress);
     bool isToBeDrawn(const Point3 &world) const;
     void drawAtOnce(Random &random, std::size_t count, Point *samples) const;
     Point3 drawAnother(Random &random) const;

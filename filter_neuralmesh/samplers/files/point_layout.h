@@ -73,6 +73,8 @@ public:
 
     const PointLayout &layout() const { return layout_; }
     std::uint64_t count() const { return layout_.count; }
+    /// From now on, these are the first so many, of no more than there are.
+    void keepFirst(std::uint64_t count) { layout_.count = count; }
     const unsigned char *record(std::uint64_t index) const
     {
         return first_ + index * layout_.recordSize;

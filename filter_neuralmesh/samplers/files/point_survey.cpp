@@ -119,9 +119,12 @@ template <class T> PointSurvey surveyOfType(const PointRecords &records, const P
         const std::uint64_t end = std::min(begin + blockSize, records.count());
         report(progress, static_cast<double>(begin) / static_cast<double>(records.count()),
                "Reading the file");
+        if (begin > 0 && progress.isTimeUp())
+            break;
         extend(extremes, records, begin, end);
         if (!extremes.wereFinite())
             countNotFinite(survey, records, begin, end);
+        survey.looked = end;
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const CoordinateField &field = records.layout().coordinates[axis];
@@ -136,13 +139,17 @@ template <class T> PointSurvey surveyOfType(const PointRecords &records, const P
 PointSurvey surveyOfMixedTypes(const PointRecords &records, const Progress &progress)
 {
     PointSurvey survey;
-    for (std::uint64_t i = 0; i < records.count(); ++i) {
-        if (i % blockSize == 0)
-            report(progress, static_cast<double>(i) / static_cast<double>(records.count()),
-                   "Reading the file");
-        survey.bounds.Add(records.point(i));
+    for (std::uint64_t begin = 0; begin < records.count(); begin += blockSize) {
+        const std::uint64_t end = std::min(begin + blockSize, records.count());
+        report(progress, static_cast<double>(begin) / static_cast<double>(records.count()),
+               "Reading the file");
+        if (begin > 0 && progress.isTimeUp())
+            break;
+        for (std::uint64_t i = begin; i < end; ++i)
+            survey.bounds.Add(records.point(i));
+        countNotFinite(survey, records, begin, end);
+        survey.looked = end;
     }
-    countNotFinite(survey, records, 0, records.count());
     return survey;
 }
 

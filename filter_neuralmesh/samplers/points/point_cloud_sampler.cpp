@@ -77,7 +77,7 @@ PointCloudSampler::PointCloudSampler(const std::vector<Point> &world,
         byDensity_.emplace(weights);
     }
     requireFourPoints(countDistinctPoints(4));
-    isFlat_ = neuralmesh::isFlat(points_);
+    isFlat_ = neuralmesh::isFlat(points_, outliers_.count);
 }
 
 /// Frame and bounds are those of the points that are kept: others may lie so far off that these are

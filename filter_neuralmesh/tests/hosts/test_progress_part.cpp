@@ -22,5 +22,18 @@ TEST(ProgressPart, is_reported_between_its_bounds)
     EXPECT_FALSE(part({}, 0.25, 0.75));
 }
 
+TEST(ProgressPart, has_the_deadline_of_the_whole)
+{
+    bool isUp = false;
+    const auto timeUp = [&] { return isUp; };
+    const Progress heard([](double, const char *) { return true; }, timeUp);
+    const Progress silent = Progress::silent(timeUp);
+    EXPECT_FALSE(part(heard, 0, 1).isTimeUp());
+    EXPECT_FALSE(part(silent, 0, 1).isTimeUp());
+    isUp = true;
+    EXPECT_TRUE(part(heard, 0, 1).isTimeUp());
+    EXPECT_TRUE(part(silent, 0, 1).isTimeUp());
+}
+
 } // namespace
 } // namespace neuralmesh

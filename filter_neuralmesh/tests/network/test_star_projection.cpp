@@ -46,5 +46,16 @@ TEST(StarProjection, finds_the_distance_that_vcg_finds)
     }
 }
 
+TEST(StarProjection, is_the_vertex_where_all_faces_are_a_single_place)
+{
+    NeuralMesh mesh;
+    makeTetrahedron(mesh, {1, 1, 1}, 0);
+    const StarProjection p = projectOnStar(mesh, 0, {1, 1, 3});
+    EXPECT_EQ(p.corners[0], 0U);
+    EXPECT_EQ(p.weights[0], 1);
+    EXPECT_EQ(p.squaredDistance, 4);
+    EXPECT_FALSE(liesOnBoundary(mesh, p));
+}
+
 } // namespace
 } // namespace neuralmesh

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -68,6 +69,33 @@ TEST(Workers, throw_what_the_first_chunk_that_fails_has_thrown_and_serve_on)
             4, 4, [&](std::size_t, std::size_t end, int) { sum += static_cast<int>(end); });
         EXPECT_EQ(sum, 4);
     }
+}
+
+TEST(Workers, leave_a_loop_where_the_watch_says_so)
+{
+    for (const int threads : {1, 4}) {
+        bool isUp = false;
+        std::atomic<int> chunks{0};
+        const Progress progress([](double, const char *) { return true; }, [&] { return isUp; });
+        Workers workers(threads, Watch(progress));
+        const auto count = [&](std::size_t, std::size_t, int) { ++chunks; };
+        workers.forEachChunk(1000, 1, count);
+        EXPECT_EQ(chunks, 1000);
+        isUp = true;
+        EXPECT_THROW(workers.forEachChunk(1000, 1, count), TimeIsUp) << threads;
+        EXPECT_LT(chunks, 2000) << threads;
+        workers.watch().mindTime(false);
+        chunks = 0;
+        workers.forEachChunk(1000, 1, count);
+        EXPECT_EQ(chunks, 1000);
+    }
+}
+
+TEST(Workers, are_cancelled_where_the_watch_says_so)
+{
+    const Progress progress([](double, const char *) { return false; });
+    Workers workers(2, Watch(progress));
+    EXPECT_THROW(workers.forEachChunk(1000, 1, [](std::size_t, std::size_t, int) {}), Cancelled);
 }
 
 TEST(Workers, are_one_for_each_core_where_none_are_asked_for)

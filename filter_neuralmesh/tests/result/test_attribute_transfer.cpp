@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace neuralmesh {
 namespace {
 
@@ -33,6 +35,29 @@ TEST(AttributeTransfer, vertices_without_points_take_what_their_neighbours_have)
     transfer.add({1, 0, 0}, {8, 0, 0, 255, 0.5});
     for (const AttributeValues &values : transfer.average()) // vertex 1 is two edges away
         EXPECT_EQ(values, (AttributeValues{8, 0, 0, 255, 0.5}));
+}
+
+TEST(AttributeTransfer, looks_at_points_all_over_where_time_is_up)
+{
+    // Of each half, one colour: a prefix would leave the second out.
+    std::vector<Point> points(500000, Point{1, 0, 0});
+    std::vector<AttributeValues> values(points.size(), AttributeValues{0, 0, 0, 255, 0});
+    std::fill(values.begin() + 250000, values.end(), AttributeValues{200, 0, 0, 255, 0});
+    int reports = 0;
+    const Progress late([&](double, const char *) { return ++reports > 0; }, [] { return true; });
+    AttributeTransfer transfer(octahedron);
+    transfer.addPoints(points, values, 1, late);
+    EXPECT_NEAR(transfer.average()[0][0], 100, 1);
+    EXPECT_LT(reports, 15); // of 123 for all points
+}
+
+TEST(AttributeTransfer, is_cancelled_where_progress_says_so)
+{
+    const Progress stop([](double, const char *) { return false; });
+    AttributeTransfer transfer(octahedron);
+    EXPECT_THROW(transfer.addPoints({{1, 0, 0}}, {{}}, 1, stop), Cancelled);
+    EXPECT_THROW(transfer.addSurface(octahedron, std::vector<AttributeValues>(6), 10, stop),
+                 Cancelled);
 }
 
 TEST(AttributeTransfer, a_point_far_off_colours_next_to_nothing)

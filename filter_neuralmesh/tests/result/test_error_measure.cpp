@@ -29,7 +29,8 @@ TEST(ErrorMeasure, finds_the_nearest_face_where_the_nearest_vertex_is_of_another
     }
     ASSERT_GT(onOtherSheet, 20);
     Random random(1);
-    const ErrorFigures error = errorOf(measureDistances(network, sampler, random, 10));
+    const ErrorFigures error = errorOf(measureDistances(
+        network, sampler, random, 10U * static_cast<std::size_t>(network.vertexCount())));
     EXPECT_LT(error.largest, 1e-12);
     EXPECT_LT(error.rms, 1e-12);
 }

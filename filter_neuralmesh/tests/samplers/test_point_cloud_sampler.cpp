@@ -116,5 +116,20 @@ TEST(PointCloudSampler, points_of_density_0_are_as_if_they_were_not_there)
     EXPECT_NEAR(sampler.frame().diagonal(), std::sqrt(3), 1e-12);
 }
 
+TEST(PointCloudSampler, says_that_points_on_a_line_are_not_all)
+{
+    test::WorldPoints points;
+    for (int i = 0; i < 600; ++i)
+        points.emplace_back(i, 2 * i, 0);
+    points.emplace_back(300, 0, 900);
+    try {
+        const PointCloudSampler sampler(points);
+        FAIL();
+    } catch (const InvalidInput &error) {
+        EXPECT_STREQ(error.what(), "All points but 1 isolated one lie on a line: there is no "
+                                   "surface to reconstruct.");
+    }
+}
+
 } // namespace
 } // namespace neuralmesh

@@ -39,6 +39,20 @@ TEST(PointFileSampler, draws_what_the_same_points_in_memory_give)
     EXPECT_EQ(test::drawWorld(inFile, 7, 20000), test::drawWorld(inMemory, 7, 20000));
 }
 
+TEST(PointFileSampler, has_the_points_that_it_looked_at_in_time)
+{
+    test::WorldPoints points = test::spherePoints(300000, 1);
+    points.back() = {std::nan(""), 0, 0}; // not looked at
+    const Progress late = Progress::silent([] { return true; });
+    for (const std::string &content : {test::npyOf<double>(points), test::plyOf<float>(points)}) {
+        const TemporaryFile file(content);
+        const PointFileSampler sampler(file.path(), late);
+        EXPECT_EQ(sampler.pointCount(), 262144U); // a block
+        for (const vcg::Point3d &p : test::drawWorld(sampler, 7, 1000))
+            EXPECT_NEAR(p.Norm(), 1, 1e-6);
+    }
+}
+
 TEST(PointFileSampler, draws_no_outliers)
 {
     test::WorldPoints points = test::spherePoints(10000, 1);

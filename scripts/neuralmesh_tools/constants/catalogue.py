@@ -189,13 +189,19 @@ _OF_GROWTH = {
     **fixed(
         _GROWTH,
         [
+            ("shareOfGrowth", "share of the time", "the progress bar follows from it, no mesh"),
+            ("signalsPerReport", "signals", "the progress bar follows from it, no mesh"),
+        ],
+    ),
+    **fixed(
+        "core/result/measurement.cpp",
+        [
             (
-                "samplesPerMeasure",
+                "samplesPerVertex",
                 "samples a vertex",
                 "figures that are told follow from it, no mesh",
             ),
-            ("shareOfGrowth", "share of the time", "the progress bar follows from it, no mesh"),
-            ("signalsPerReport", "signals", "the progress bar follows from it, no mesh"),
+            ("mostInHaste", "samples", "figures that are told follow from it, no mesh"),
         ],
     ),
     **fixed(

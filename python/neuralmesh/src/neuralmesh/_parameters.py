@@ -37,7 +37,16 @@ COUNTS = (
 )
 NUMBERS = ("winner_rate", "smoothing_rate", "counter_decay")
 SWITCHES = ("surface_fit", "edge_flips", "transfer_attributes", "density_from_quality")
-NAMES = ("vertices", *CHOICES, "max_hole_size", "snapshots", *COUNTS[1:], *NUMBERS, *SWITCHES)
+NAMES = (
+    "vertices",
+    *CHOICES,
+    "max_hole_size",
+    "snapshots",
+    *COUNTS[1:],
+    *NUMBERS,
+    *SWITCHES,
+    "time_limit",
+)
 
 # The filter's parameters that are said otherwise here.
 ELSEWHERE = {
@@ -77,6 +86,8 @@ class Options:
     """Of the diagonal of the input; None where `core.max_hole_size` is a length."""
     transfer_attributes: bool = True
     density_from_quality: bool = False
+    deadline: _core.Deadline = field(default_factory=_core.Deadline)
+    """When the run ends with the mesh so far."""
     names: dict[str, str] = field(default_factory=dict)
     """What the caller typed for a parameter."""
 
@@ -88,7 +99,8 @@ class Options:
 def read_options(given: Mapping[str, Any], names: Mapping[str, str] | None = None) -> Options:
     """Return the options of keyword arguments, checked.
 
-    `names` says what the caller typed where that was no keyword, such as "--max-hole-size".
+    A time limit starts to count. `names` says what the caller typed where that was no keyword, such
+    as "--max-hole-size".
     Raises TypeError for unknown names and wrong types, InvalidInput for values out of range.
     """
     options = Options()
@@ -133,6 +145,8 @@ def _set(options: Options, key: str, value: Any) -> None:
         _set_hole_size(options, value)
     elif key == "snapshots":
         options.core.snapshots = _counts(name, value)
+    elif key == "time_limit":
+        options.deadline = _core.deadline_in(_real_number(name, value), options.names)
     elif key == "random_seed":
         options.core.random_seed = _seed(name, value)
     elif key in COUNTS:

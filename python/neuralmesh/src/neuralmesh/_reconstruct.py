@@ -82,7 +82,8 @@ def reconstruct(
         `random_seed`, `surface_fit`, `transfer_attributes`, `start_mesh` (also a pair of arrays:
         vertices and faces of a closed two-manifold), `density_from_quality`, `threads`,
         `winner_rate`, `smoothing_rate`, `smoothing_passes`, `signals_per_split`,
-        `inactivity_factor`, `counter_decay`, `split_rule`, `edge_flips`.
+        `inactivity_factor`, `counter_decay`, `split_rule`, `edge_flips`, `time_limit` (seconds,
+        after which the mesh so far is returned, and `info["reached_target"]` is False).
         docs/parameters.md says what they do.
 
     Returns
@@ -126,10 +127,15 @@ def run(
     quality: ArrayLike | None = None,
     progress: Progress | None = None,
     names: Mapping[str, str] | None = None,
+    deadline: _core.Deadline | None = None,
 ) -> Result:
-    """Reconstruct; `names` says what the caller typed for parameters that were no keywords."""
+    """Reconstruct; `names` says what the caller typed for parameters that were no keywords.
+
+    A `deadline` that was set before takes the place of the time limit.
+    """
     begin = time.perf_counter()
     options = read_options(parameters, names)
+    options.deadline = deadline or options.deadline
     if isinstance(source, str | os.PathLike):
         source = _of_path(Path(source), options, part(progress, 0, SHARE_OF_OPENING))
     if isinstance(source, files.Cloud):
@@ -165,7 +171,12 @@ def _grow(target: _core.Target, options: Options, progress: Progress | None) -> 
         start = (places, as_faces(options.start[1], "faces of start_mesh", len(places)))
     try:
         return _core.reconstruct(
-            target, options.core, start, options.names, part(progress, SHARE_OF_OPENING, 1)
+            target,
+            options.core,
+            start,
+            options.names,
+            part(progress, SHARE_OF_OPENING, 1),
+            options.deadline,
         )
     except MemoryError:
         name = options.name("vertices")
@@ -175,9 +186,11 @@ def _grow(target: _core.Target, options: Options, progress: Progress | None) -> 
 def _of_path(path: Path, options: Options, progress: Progress | None) -> Any:
     """A target of a file that is read in place, or the points of another, at most so many."""
     if files.is_read_in_place(path) and not options.density_from_quality:
-        return _core.file_target(os.fspath(path), options.names, progress)
+        return _core.file_target(os.fspath(path), options.names, progress, options.deadline)
     most = files.most_points_for(options.core.vertices)
-    return files.read(path, most_points=most, progress=progress)
+    return files.read(
+        path, most_points=most, progress=progress, is_time_up=lambda: options.deadline.has_passed
+    )
 
 
 def _open(
@@ -285,7 +298,9 @@ def _with_attributes(arrays: tuple[Any, Any], opened: Input, options: Options) -
     if opened.faces is None:  # more points than this for a vertex add nothing that can be seen
         stride = len(points) // (_core.POINTS_PER_VERTEX * len(vertices)) + 1
         points, values = points[::stride], np.ascontiguousarray(values[::stride])
-    mean = _core.transfer_attributes(points, opened.faces, values, vertices, faces.astype(np.int64))
+    mean = _core.transfer_attributes(
+        points, opened.faces, values, vertices, faces.astype(np.int64), options.deadline
+    )
     return Mesh(
         vertices,
         faces,

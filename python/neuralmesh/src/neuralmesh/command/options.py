@@ -33,6 +33,7 @@ Further parameters of the filter:
   --edge-flips yes|no            flips that even out valences (yes)
   --split-rule balanced|paper    how a vertex is split (balanced)
   --threads N                    cores that share the work; 0 takes all (0)
+  --time-limit SECONDS           ends with the mesh so far; 0: no limit (0)
   --winner-rate, --smoothing-rate, --smoothing-passes, --signals-per-split,
   --inactivity-factor, --counter-decay
                                  the paper's constants: 0.06, 0.05, 5, 100, 12, 0.995
@@ -44,6 +45,7 @@ HIDDEN = (
     "edge_flips",
     "split_rule",
     "threads",
+    "time_limit",
     "winner_rate",
     "smoothing_rate",
     "smoothing_passes",

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import files
-from .._core import __version__
+from .._core import Deadline, __version__
 from .._parameters import read_options
 from .._progress import bar, part
 from .._reconstruct import run as reconstruct
@@ -27,14 +27,15 @@ def run(arguments: Sequence[str]) -> int:
     given = parser()
     options = given.parse_args(arguments)
     parameters, names = parameters_of(options)
-    read_options(parameters, names)  # refuse before the work what would be refused after reading
+    # Refuse before the work what would be refused after reading; from here on, time counts.
+    deadline = read_options(parameters, names).deadline
     inputs = _inputs(given, options)
     _require_output(options.output)
     if options.quiet:
-        result = _reconstruct(inputs, options, parameters, names, None)
+        result = _reconstruct(inputs, options, parameters, names, None, deadline)
     else:
         with bar() as progress:
-            result = _reconstruct(inputs, options, parameters, names, progress)
+            result = _reconstruct(inputs, options, parameters, names, progress, deadline)
     written = _write(options.output, result)
     _tell(options, result, written)
     return DONE
@@ -67,14 +68,24 @@ def _reconstruct(
     parameters: dict[str, Any],
     names: dict[str, str],
     progress: Any,
+    deadline: Deadline,
 ) -> Result:
     most = most_points(options)
     cloud = files.read_merged(
-        inputs, most_points=most, progress=part(progress, 0, SHARE_OF_READING)
+        inputs,
+        most_points=most,
+        progress=part(progress, 0, SHARE_OF_READING),
+        is_time_up=lambda: deadline.has_passed,
     )
     if not options.quiet:
         _log_input(inputs, cloud)
-    return reconstruct(cloud, parameters, progress=part(progress, SHARE_OF_READING, 1), names=names)
+    return reconstruct(
+        cloud,
+        parameters,
+        progress=part(progress, SHARE_OF_READING, 1),
+        names=names,
+        deadline=deadline,
+    )
 
 
 def _log_input(inputs: list[Path], cloud: files.Cloud) -> None:

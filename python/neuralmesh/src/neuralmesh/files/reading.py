@@ -38,17 +38,21 @@ def read(
     *,
     most_points: int | None = None,
     progress: Progress | None = None,
+    is_time_up: Callable[[], bool] = lambda: False,
 ) -> Cloud:
     """Read the points of a file, and its colours.
 
     PLY, OBJ, STL, OFF, glTF and GLB (their vertices), XYZ and its comma and header variants, PTS,
     PCD, LAS, LAZ, COPC, E57, NPY and NPZ; `neuralmesh.files.FORMATS` lists them. Where it holds
     more than `most_points`, a uniform choice of so many is kept, in one pass and bounded memory.
+    Where `is_time_up` says so, the points so far are returned, some at the least.
 
     Raises `ValueError` (`files.UnreadableFile`) where the file is of an unknown format, broken or
     without points, OSError where it cannot be opened.
     """
-    return read_merged([Path(path)], most_points=most_points, progress=progress)
+    return read_merged(
+        [Path(path)], most_points=most_points, progress=progress, is_time_up=is_time_up
+    )
 
 
 def read_merged(
@@ -56,6 +60,7 @@ def read_merged(
     *,
     most_points: int | None = None,
     progress: Progress | None = None,
+    is_time_up: Callable[[], bool] = lambda: False,
 ) -> Cloud:
     """Read several files as one cloud; see read()."""
     listed = list(paths)
@@ -69,6 +74,8 @@ def read_merged(
                     from .._core import Cancelled
 
                     raise Cancelled("Cancelled.")
+            if is_time_up():
+                return reservoir.cloud()
     if reservoir.total == 0:
         raise UnreadableFile(listed[0] if listed else Path(), "it holds no points.")
     return reservoir.cloud()
