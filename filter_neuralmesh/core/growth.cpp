@@ -53,13 +53,6 @@ constexpr std::size_t signalsPerReport = 10000;
 /// Consolidation ends after so many rounds even where each still removes a vertex.
 constexpr int consolidationRounds = 10;
 
-/// Its outside outwards, with faces.
-void finishMesh(NeuralMesh &mesh)
-{
-    orientOutwards(mesh);
-    rebuildFaces(mesh);
-}
-
 class Growth {
 public:
     Growth(NeuralMesh &mesh, LearnedShape shape, const Sampler &sampler,
@@ -296,7 +289,7 @@ private:
         snapshot->copyNetwork(network_.mesh());
         if (parameters_.surfaceFit || isToBeClosed())
             growSnapshot(*snapshot, count, &Growth::run);
-        finishMesh(*snapshot);
+        makeOutwardFaces(*snapshot);
         takeSnapshot_(std::move(snapshot));
     }
 
@@ -311,7 +304,7 @@ private:
             decimate(*snapshot, count / 2);
             requireAtLeast(Parameter::snapshots, count, snapshot->vn);
             growSnapshot(*snapshot, count, &Growth::settleAndRun);
-            finishMesh(*snapshot);
+            makeOutwardFaces(*snapshot);
             takeSnapshot_(std::move(snapshot));
         }
     }
@@ -398,7 +391,7 @@ GrowthReport grow(NeuralMesh &mesh, const Sampler &sampler, const GrowthParamete
     GrowthReport report = growth.run();
     report.changes.isShapeClear = start.isShapeClear;
     report.changes.gaps = start.gaps;
-    finishMesh(mesh);
+    makeOutwardFaces(mesh);
     return report;
 }
 

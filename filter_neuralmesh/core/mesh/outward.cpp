@@ -98,4 +98,10 @@ void orientOutwards(NeuralMesh &mesh)
     });
 }
 
+void makeOutwardFaces(NeuralMesh &mesh)
+{
+    orientOutwards(mesh);
+    rebuildFaces(mesh);
+}
+
 } // namespace neuralmesh

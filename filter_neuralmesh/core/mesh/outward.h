@@ -10,4 +10,7 @@ namespace neuralmesh {
 /// components have no outside and stay as they are. Works on rings: faces are to be rebuilt.
 void orientOutwards(NeuralMesh &mesh);
 
+/// The same, and makes the faces, of rings that will not change.
+void makeOutwardFaces(NeuralMesh &mesh);
+
 } // namespace neuralmesh
