@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures the neural mesh against screened Poisson and ball pivoting, in one run.
 
-    benchmark.py --quality                        the whole table: twelve models, six conditions
+    benchmark.py --quality                        the whole table: twelve models, seven conditions
     benchmark.py --quality --models bunny,dino --conditions clean --methods ours
                                                   ours alone; peers' rows come from the cache
     benchmark.py --speed                          time, as a ratio, in one process

@@ -254,8 +254,12 @@ private:
             improve(first + (last - first) * round / (rounds - 1));
         const OutsideFlood flood(insideness(), points_,
                                  std::max(crustOfCells, crustOfSpacings * spacing()));
-        isSheet_ = isSheet_ || (flood.doubledShare() > shareOfSheet &&
-                                !haveTwoSides(index_, sidesInCells / resolution()));
+        // A finer grid does not look as far around a point, and may see one side at a time.
+        const bool isKnownPlate = isPlate_ && spacing() <= widestSpacing;
+        if (!isSheet_ && !isKnownPlate && flood.doubledShare() > shareOfSheet) {
+            isPlate_ = haveTwoSides(index_, sidesInCells / resolution());
+            isSheet_ = !isPlate_;
+        }
         if (isSheet_)
             return;
         field_.holdOutside(flood.outside());
@@ -329,6 +333,7 @@ private:
     double work_ = 0; ///< that is done, in rounds of the first grid
     double spacingInGrid_ = 0;
     bool isSheet_ = false;
+    bool isPlate_ = false;     ///< of two sides
     bool isStable_ = false;    ///< whether the last two grids have one shape
     bool isUnanimous_ = false; ///< and all their levels, too
     double unexplained_ = 1;   ///< share of the points, on the last grid

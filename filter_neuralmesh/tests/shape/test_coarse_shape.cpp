@@ -73,6 +73,31 @@ TEST(CoarseShape, of_a_thin_plate_is_no_sheet)
     expectShape(plate(), 1, 0);
 }
 
+/// The two sides of a wedge of 1 x 0.6, 0.004 thick at its edge and 0.022 at its back, in noise.
+test::Points noisyWedge()
+{
+    Random random(2);
+    test::Points points;
+    for (int i = 0; i < 40000; ++i) {
+        const double x = random.unit();
+        const double half = 0.002 + 0.009 * x;
+        points.emplace_back(x, 0.6 * random.unit(), random.unit() < 0.5 ? half : -half);
+        if (i % 25 == 0) // its back
+            points.back() = Point3(1, points.back().Y(), 0.011 * (2 * random.unit() - 1));
+    }
+    return test::withNoise(points, 0.003, 3);
+}
+
+TEST(CoarseShape, of_a_wedge_is_no_sheet_where_a_fine_grid_sees_one_side_at_a_time)
+{
+    NeuralMesh mesh;
+    const CoarseShape shape = shapeOf(noisyWedge(), mesh);
+    EXPECT_FALSE(shape.isSheet);
+    EXPECT_EQ(shape.components, 1);
+    EXPECT_EQ(shape.genus, 0);
+    EXPECT_LT(shape.unsupportedShare, 0.01);
+}
+
 /// A square with a wave in it, of side 1.
 test::Points sheet()
 {

@@ -184,6 +184,14 @@ SHAPE: tuple[Mutant, ...] = (
         ("CoarseShape.is_of_a_finer_grid_where_it_leaves_points_unexplained",),
     ),
     Mutant(
+        "plates-become-sheets",
+        "a plate stays one on finer grids, which do not look as far around a point",
+        _SHAPE,
+        "if (!isSheet_ && !isKnownPlate && flood",
+        "if (!isSheet_ && !(isKnownPlate && false) && flood",
+        ("CoarseShape.of_a_wedge_is_no_sheet_where_a_fine_grid_sees_one_side_at_a_time",),
+    ),
+    Mutant(
         "noise-is-resolved",
         "a grid whose cells are smaller than the noise says nothing about the shape",
         _SHAPE,
