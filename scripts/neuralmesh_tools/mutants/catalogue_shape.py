@@ -17,8 +17,8 @@ SHAPE: tuple[Mutant, ...] = (
         "plates-are-sheets",
         "a plate with points on both sides is no open sheet",
         "core/shape/coarse_shape.cpp",
-        "!haveTwoSides(index_, sidesInCells / resolution())",
-        "true",
+        "isPlate_ = haveTwoSides(index_, sidesInCells / resolution());",
+        "isPlate_ = false;",
         ("CoarseShape.of_a_thin_plate_is_no_sheet",),
     ),
     Mutant(
