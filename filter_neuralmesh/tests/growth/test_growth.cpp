@@ -255,7 +255,7 @@ TEST(Growth, progress_rises_from_nothing_to_all_with_a_start_from_the_data)
     grow(mesh, sampler, fromTheData(1000), [&](double fraction, const char *activity) {
         const bool isStart = std::string(activity) == "Learning the shape";
         rises = rises && fraction >= last - 0.02 && fraction <= 1; // collapses take a little back
-        rises = rises && (!isStart || fraction >= endOfStart); // told again while it works
+        rises = rises && (!isStart || fraction >= endOfStart);     // told again while it works
         last = fraction;
         if (isStart)
             endOfStart = fraction;
