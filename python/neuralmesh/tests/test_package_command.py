@@ -229,6 +229,8 @@ def test_ctrl_c_ends_at_once_with_130_and_no_file(bunny_file: Path, tmp_path: Pa
         cwd=tmp_path,
         stderr=subprocess.PIPE,
         text=True,
+        # Shells have their background jobs ignore the signal.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     ) as process:
         assert process.stderr is not None
         assert "28,088 points" in process.stderr.readline()
