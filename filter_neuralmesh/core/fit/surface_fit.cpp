@@ -59,7 +59,8 @@ constexpr double leastBendingInNoise = 0.2;
 constexpr double mostBendingInNoise = 5;
 /// In the first sweeps all of that is off: what bends there is noise of growth, whose vertices
 /// follow single samples. Taken for relief, it frees the mesh to crumple within the noise. RMS to
-/// the surface of knot1 at σ = 1 %: 0.20 % with two, three or five; without, 1.14 %.
+/// the surface of knot1 at σ = 1 %, by benchmark.py --quality: 0.20 %, as with two or five;
+/// without, 1.14 %.
 constexpr int sweepsAfterGrowth = 3;
 /// Sweeps after which irregular vertices are exchanged.
 constexpr int firstExchange = 1;

@@ -163,18 +163,15 @@ public:
     {
         learn(firstSmoothings);
         Reading reading = read();
-        Reading persistent = reading;
         isStable_ = isSheet_ && reading.shape.votes >= clearVotes;
         while (!isFineEnough(reading)) {
             Reading coarser = std::move(reading);
-            if (coarser.shape.votes >= fewestVotes)
-                persistent = coarser;
             field_.refine();
             ++grid_;
             learn(finerSmoothings);
             reading = read();
             if (isOfNoise(reading.shape, coarser.shape))
-                return judge(persistent);
+                return judge(coarser);
             const int votes = reading.shape.votes;
             const bool isSame = reading.surface().hasShapeOf(coarser.surface());
             isUnanimous_ = isSame && std::min(votes, coarser.shape.votes) == allVotes;

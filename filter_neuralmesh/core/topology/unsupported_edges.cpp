@@ -58,10 +58,10 @@ public:
             spacing_[v] = localSpacing(mesh_, v);
         });
         std::reverse(open_.begin(), open_.end()); // the lowest id is looked at first
-        while (!open_.empty()) {
+        for (std::size_t looked = 0; !open_.empty(); ++looked) {
             const VertexId v = open_.back();
             open_.pop_back();
-            if (open_.size() % verticesPerLook == 0)
+            if (looked % verticesPerLook == 0)
                 support_.watch().look();
             flips += retractAt(v) ? 1 : 0;
         }

@@ -111,21 +111,31 @@ void countNotFinite(PointSurvey &survey, const PointRecords &records, std::uint6
             survey.firstNotFinite = i;
 }
 
+/// Calls look(begin, end) for one block of records after the other, as long as there is time: at
+/// the least for the first.
+template <class Look>
+void forEachBlock(PointSurvey &survey, const PointRecords &records, const Progress &progress,
+                  const Look &look)
+{
+    const std::uint64_t count = records.count();
+    while (survey.looked < count && !(survey.looked > 0 && progress.isTimeUp())) {
+        report(progress, static_cast<double>(survey.looked) / static_cast<double>(count),
+               "Reading the file");
+        const std::uint64_t end = std::min(survey.looked + blockSize, count);
+        look(survey.looked, end);
+        survey.looked = end;
+    }
+}
+
 template <class T> PointSurvey surveyOfType(const PointRecords &records, const Progress &progress)
 {
     PointSurvey survey;
     Extremes<T> extremes;
-    for (std::uint64_t begin = 0; begin < records.count(); begin += blockSize) {
-        const std::uint64_t end = std::min(begin + blockSize, records.count());
-        report(progress, static_cast<double>(begin) / static_cast<double>(records.count()),
-               "Reading the file");
-        if (begin > 0 && progress.isTimeUp())
-            break;
+    forEachBlock(survey, records, progress, [&](std::uint64_t begin, std::uint64_t end) {
         extend(extremes, records, begin, end);
         if (!extremes.wereFinite())
             countNotFinite(survey, records, begin, end);
-        survey.looked = end;
-    }
+    });
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const CoordinateField &field = records.layout().coordinates[axis];
         const auto place = static_cast<int>(axis);
@@ -139,17 +149,11 @@ template <class T> PointSurvey surveyOfType(const PointRecords &records, const P
 PointSurvey surveyOfMixedTypes(const PointRecords &records, const Progress &progress)
 {
     PointSurvey survey;
-    for (std::uint64_t begin = 0; begin < records.count(); begin += blockSize) {
-        const std::uint64_t end = std::min(begin + blockSize, records.count());
-        report(progress, static_cast<double>(begin) / static_cast<double>(records.count()),
-               "Reading the file");
-        if (begin > 0 && progress.isTimeUp())
-            break;
+    forEachBlock(survey, records, progress, [&](std::uint64_t begin, std::uint64_t end) {
         for (std::uint64_t i = begin; i < end; ++i)
             survey.bounds.Add(records.point(i));
         countNotFinite(survey, records, begin, end);
-        survey.looked = end;
-    }
+    });
     return survey;
 }
 

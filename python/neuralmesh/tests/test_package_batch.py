@@ -6,11 +6,10 @@ from __future__ import annotations
 import json
 import re
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
+import commands
 import neuralmesh
 import numpy as np
 import pytest
@@ -23,17 +22,6 @@ from neuralmesh_tools.project import ROOT
 VERTICES = 200
 # WRITERS has one for each format; these are written beside them.
 MORE_OF_A_FORMAT = 12
-
-
-def batch(*arguments: object) -> subprocess.CompletedProcess[str]:
-    """Run `python -m neuralmesh batch`."""
-    return subprocess.run(
-        [sys.executable, "-m", "neuralmesh", "batch", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
-    )
 
 
 def report(out: Path) -> dict[str, Any]:
@@ -71,7 +59,7 @@ def test_36_mixed_files_are_each_done_or_named_with_the_reason(
     (scans / "photo.jpg").touch()
     beside = {path.name for path in scans.glob("*.bin")}  # the numbers of the glTF
     assert beside
-    run = batch(scans, "--out", out, "-n", VERTICES)
+    run = commands.run("batch", scans, "--out", out, "-n", VERTICES)
     assert run.returncode == 1, run.stdout + run.stderr
     assert "35 done, 1 failed" in run.stdout
     assert "broken: It cannot be read as LAS, LAZ or COPC: " in run.stdout
@@ -103,7 +91,7 @@ def test_parameters_are_those_of_the_command_and_a_rerun_does_what_changed(
     out = tmp_path / "out"
     arguments = [tmp_path / "a.npy", tmp_path / "b.npy", "--out", out, "--format", "npz"]
     arguments += ["-n", 100, "--topology", "start", "--start-mesh", "icosahedron"]
-    assert batch(*arguments, "--no-surface-fit").returncode == 0
+    assert commands.run("batch", *arguments, "--no-surface-fit").returncode == 0
     expected = neuralmesh.reconstruct(
         small_ball, 100, topology="start", start_mesh="icosahedron", surface_fit=False
     )
@@ -111,15 +99,15 @@ def test_parameters_are_those_of_the_command_and_a_rerun_does_what_changed(
     assert report(out)["recipe"]["versions"]["neuralmesh"] == neuralmesh.__version__
 
     np.save(tmp_path / "b.npy", small_ball[::3])
-    run = batch(*arguments, "--no-surface-fit", "--threads", 2)
+    run = commands.run("batch", *arguments, "--no-surface-fit", "--threads", 2)
     assert "2 items, 1 of them done before" in run.stdout
-    run = batch(*arguments)
+    run = commands.run("batch", *arguments)
     assert "2 items, 0 of them done before" in run.stdout
 
 
 def test_a_mesh_that_is_not_to_be_trusted_has_a_warning(tmp_path: Path) -> None:
     np.save(tmp_path / "noise.npy", np.random.default_rng(0).random((400, 3)))
-    run = batch(tmp_path / "noise.npy", "--out", tmp_path / "out")
+    run = commands.run("batch", tmp_path / "noise.npy", "--out", tmp_path / "out")
     assert run.returncode == 0, run.stdout + run.stderr
     (record,) = report(tmp_path / "out")["records"]
     assert record["warning"]
@@ -170,7 +158,7 @@ def test_a_long_name_and_a_full_list(small_ball: Points, tmp_path: Path) -> None
     np.save(tmp_path / f"{name}.npy", small_ball)
     (tmp_path / "list.txt").write_text(f"{tmp_path / name}.npy\n{tmp_path}/gone.e57\n", "utf-8")
     out = tmp_path / "out"
-    run = batch("--list", tmp_path / "list.txt", "--out", out, "-n", 50)
+    run = commands.run("batch", "--list", tmp_path / "list.txt", "--out", out, "-n", 50)
     assert run.returncode == 1, run.stdout + run.stderr
     assert "gone: There is no such file." in run.stdout
     assert (out / f"{name}.ply").is_file()

@@ -4,28 +4,16 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import commands
 import numpy as np
 import pytest
 from neuralmesh.command import comparisons, main
 from point_files import WRITERS, Colours, Points
 
 from neuralmesh_tools.comparison.clouds import load_cloud_by_package
-
-
-def compare(*arguments: object) -> subprocess.CompletedProcess[str]:
-    """Run `python -m neuralmesh compare`."""
-    return subprocess.run(
-        [sys.executable, "-m", "neuralmesh", "compare", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
-    )
 
 
 @pytest.mark.parametrize(("name", "writer"), [row[:2] for row in WRITERS])
@@ -66,7 +54,7 @@ def test_ours_stands_beside_the_filters_of_pymeshlab(ball: Points, tmp_path: Pat
     np.save(tmp_path / "ball.npy", ball[:1000])
     methods = "neural-mesh,poisson"
     arguments = (tmp_path / "ball.npy", "--out", tmp_path / "out", "--methods", methods)
-    run = compare(*arguments, "--vertices", 200)
+    run = commands.run("compare", *arguments, "--vertices", 200)
     assert run.returncode == 0, run.stdout + run.stderr
     assert "neuralmesh compare " in (tmp_path / "out" / "report.html").read_text("utf-8")
     found = json.loads((tmp_path / "out" / "results.json").read_text("utf-8"))
@@ -75,7 +63,7 @@ def test_ours_stands_beside_the_filters_of_pymeshlab(ball: Points, tmp_path: Pat
     assert results["neural-mesh"]["vertices"] == 200
     # Faces of 400 are chords: those of a regular mesh lie 0.3 % of the diagonal inside, by half.
     assert results["neural-mesh"]["rms_percent"] < 0.3
-    again = compare(*arguments, "--vertices", 200)
+    again = commands.run("compare", *arguments, "--vertices", 200)
     assert "ball: done before" in again.stdout
 
 

@@ -192,6 +192,14 @@ SHAPE: tuple[Mutant, ...] = (
         ("CoarseShape.of_a_wedge_is_no_sheet_where_a_fine_grid_sees_one_side_at_a_time",),
     ),
     Mutant(
+        "sparse-plates-stay",
+        "a plate whose points are too sparse for the finer grid is closed as a sheet",
+        _SHAPE,
+        "isPlate_ && spacing() <= widestSpacing",
+        "isPlate_ && spacing() <= 1e9 * widestSpacing",
+        ("CoarseShape.knows_a_sheet_whose_sides_are_nearer_than_a_cell",),
+    ),
+    Mutant(
         "noise-is-resolved",
         "a grid whose cells are smaller than the noise says nothing about the shape",
         _SHAPE,
