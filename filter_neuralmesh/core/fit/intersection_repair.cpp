@@ -143,7 +143,11 @@ void unfold(GrowingNetwork &network, const std::vector<VertexId> &sheet)
 
 int smoothRim(GrowingNetwork &network, const RimNeighbours &rim)
 {
-    return IntersectionRepair(network, rim).smoothRim();
+    const int left = IntersectionRepair(network, rim).smoothRim();
+    if (left == 0 || network.workers().watch().isTimeUp())
+        return left;
+    const RimNeighbours none(network.mesh()); // which is closed
+    return IntersectionRepair(network, none).smooth();
 }
 
 } // namespace neuralmesh

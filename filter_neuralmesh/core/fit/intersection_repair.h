@@ -33,8 +33,9 @@ private:
 void unfold(GrowingNetwork &network, const std::vector<VertexId> &sheet);
 
 /// After boundaries, those of `rim`, have been closed by discs: smooths the rim along itself where
-/// it is so ragged that faces of the disc cross those beside it. Other vertices stay. Returns how
-/// many faces intersect another.
+/// it is so ragged that faces of the disc cross those beside it. Other vertices stay but where that
+/// is not enough, as where a rim touches itself: there all are smoothed. Returns how many faces
+/// intersect another.
 int smoothRim(GrowingNetwork &network, const RimNeighbours &rim);
 
 } // namespace neuralmesh

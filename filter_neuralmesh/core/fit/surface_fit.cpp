@@ -19,10 +19,9 @@
 #include "core/network/star_projection.h"
 #include "core/parallel/vertex_loops.h"
 #include "core/parallel/vertex_sums.h"
-#include "core/space/morton_order.h"
+#include "core/space/ordered_samples.h"
 #include "core/space/plain_points.h"
 #include "core/space/point_statistics.h"
-#include "core/space/watched_draw.h"
 
 namespace neuralmesh {
 namespace {
@@ -111,8 +110,8 @@ class SurfaceFit {
 public:
     SurfaceFit(GrowingNetwork &network, const Sampler &sampler, Random &random)
         : network_(network), mesh_(network.mesh()), sampler_(sampler), random_(random),
-          order_(sampler.bounds()), accumulators_(mesh_), reach_(mesh_), around_(mesh_),
-          start_(mesh_), typicalResidual_(mesh_, 0)
+          samples_(sampler, network.workers().watch()), accumulators_(mesh_), reach_(mesh_),
+          around_(mesh_), start_(mesh_), typicalResidual_(mesh_, 0)
     {
         forEachVertex(mesh_, [&](VertexId v) { start_[v] = mesh_.position(v); });
     }
@@ -144,9 +143,11 @@ private:
             start_[v] = mesh_.position(v);
     }
 
+    /// Strata as many as the points give each of them once.
     std::size_t samplesOfSweep() const
     {
-        return samplesPerVertex * static_cast<std::size_t>(network_.vertexCount());
+        const auto samples = samplesPerVertex * static_cast<std::size_t>(network_.vertexCount());
+        return network_.learnsByBatches() ? std::min(samples, sampler_.pointCount()) : samples;
     }
 
     /// What the points tell at the most, in sweeps.
@@ -159,12 +160,13 @@ private:
     {
         accumulators_.reset();
         reach_.fade(mostInformation());
-        drawWatched(sampler_, random_, samplesOfSweep(), drawn_, network_.workers().watch());
-        order_.sort(drawn_, samples_);
+        const std::vector<Point3> &samples =
+            network_.learnsByBatches() ? samples_.drawStratified(random_, samplesOfSweep())
+                                       : samples_.draw(random_, samplesOfSweep());
         const SampleLocator locator = network_.locator();
-        projections_.resize(samples_.size());
-        locator.forEachNearest(network_.workers(), samples_, [&](std::size_t i, VertexId nearest) {
-            projections_[i] = locator.project(nearest, samples_[i]);
+        projections_.resize(samples.size());
+        locator.forEachNearest(network_.workers(), samples, [&](std::size_t i, VertexId nearest) {
+            projections_[i] = locator.project(nearest, samples[i]);
         });
         for (const StarProjection &p : projections_)
             reach_.add(p);
@@ -356,9 +358,7 @@ private:
     const NeuralMesh &mesh_;
     const Sampler &sampler_;
     Random &random_;
-    MortonOrder order_;
-    std::vector<Point> drawn_;
-    std::vector<Point3> samples_;
+    OrderedSamples samples_;
     std::vector<StarProjection> projections_; ///< of the samples
     VertexData<Accumulator> accumulators_;
     BoundaryReach reach_;

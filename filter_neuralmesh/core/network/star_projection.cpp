@@ -18,17 +18,26 @@ Scalar ratio(Scalar part, Scalar whole)
     return whole > 0 ? std::clamp(part / whole, Scalar(0), Scalar(1)) : Scalar(0);
 }
 
+/// An edge from the origin, and what two faces at it share.
+struct Spoke {
+    Spoke(const Point3 &end, const Point3 &p) : to(end), alongP(end * p), squared(end * end) {}
+
+    Point3 to;
+    Scalar alongP; ///< dot product with p
+    Scalar squared;
+};
+
 /// Coordinates of the point of the triangle (0, b, c) that is nearest to p. The corner, edge or
 /// interior whose Voronoi region holds p is found from dot products alone.
-Barycentric nearestOnTriangle(const Point3 &b, const Point3 &c, const Point3 &p)
+Barycentric nearestOnTriangle(const Spoke &b, const Spoke &c)
 {
-    const Scalar d1 = b * p;
-    const Scalar d2 = c * p;
+    const Scalar d1 = b.alongP;
+    const Scalar d2 = c.alongP;
     if (d1 <= 0 && d2 <= 0)
         return {1, 0, 0};
-    const Scalar bb = b * b;
-    const Scalar bc = b * c;
-    const Scalar cc = c * c;
+    const Scalar bb = b.squared;
+    const Scalar bc = b.to * c.to;
+    const Scalar cc = c.squared;
     const Scalar d3 = d1 - bb;
     const Scalar d4 = d2 - bc;
     if (d3 >= 0 && d4 <= d3)
@@ -69,13 +78,13 @@ StarProjection projectOnStar(const NeuralMesh &mesh, VertexId v, const Point3 &q
     best.squaredDistance = std::numeric_limits<Scalar>::infinity();
     // Round a closed ring, the first face is that between the last neighbour and the first.
     VertexId a = ring[ring.isOpen() ? 0 : ring.size() - 1];
-    Point3 toA = mesh.position(a) - centre;
+    Spoke toA(mesh.position(a) - centre, target);
     for (const VertexId *next = ring.begin() + (ring.isOpen() ? 1 : 0); next != ring.end();
          ++next) {
         const VertexId b = *next;
-        const Point3 toB = mesh.position(b) - centre;
-        const Barycentric w = nearestOnTriangle(toA, toB, target);
-        const Point3 residual = target - toA * w.b - toB * w.c;
+        const Spoke toB(mesh.position(b) - centre, target);
+        const Barycentric w = nearestOnTriangle(toA, toB);
+        const Point3 residual = target - toA.to * w.b - toB.to * w.c;
         const Scalar d = residual.SquaredNorm();
         if (d < best.squaredDistance)
             best = {{v, a, b}, {w.a, w.b, w.c}, residual, d};
@@ -123,7 +132,7 @@ Scalar squaredDistanceTo(const Triangle &t, const Point3 &query)
     const Point3 toB = t.b - t.a;
     const Point3 toC = t.c - t.a;
     const Point3 target = query - t.a;
-    const Barycentric w = nearestOnTriangle(toB, toC, target);
+    const Barycentric w = nearestOnTriangle({toB, target}, {toC, target});
     return (target - toB * w.b - toC * w.c).SquaredNorm();
 }
 

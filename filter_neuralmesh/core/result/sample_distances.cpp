@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/result/sample_distances.h"
 
-#include "core/space/morton_order.h"
-#include "core/space/watched_draw.h"
+#include "core/space/ordered_samples.h"
 
 namespace neuralmesh {
 
 SampleDistances measureDistances(const GrowingNetwork &network, const Sampler &sampler,
                                  Random &random, std::size_t samples)
 {
-    std::vector<Point> drawn;
-    drawWatched(sampler, random, samples, drawn, network.workers().watch());
+    OrderedSamples ordered(sampler, network.workers().watch());
     SampleDistances distances;
-    MortonOrder(sampler.bounds()).sort(drawn, distances.samples);
+    distances.samples = ordered.draw(random, samples);
     distances.squared.resize(distances.samples.size());
     const SampleLocator locator = network.locator();
     locator.forEachNearest(

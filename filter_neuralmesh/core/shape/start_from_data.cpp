@@ -16,7 +16,9 @@ namespace {
 /// thick does not part them, and growth does not do so later.
 constexpr double shareOfTarget = 0.5;
 
-/// Samples that it is made of; of fewer points, so many for each, which leaves out one in fifty.
+/// Samples that it is made of; of fewer points, so many for each, which leave out one in fifty
+/// where they are independent. Those of strata leave out none; repeated ones follow each other, and
+/// go.
 constexpr std::size_t mostSamples = 128000;
 constexpr std::size_t samplesPerPoint = 4;
 
@@ -29,7 +31,9 @@ CoarseShape startFromData(NeuralMesh &mesh, const Sampler &sampler,
     Random random = randomStream(parameters.seed, Purpose::shape);
     const std::size_t points = std::min(mostSamples, sampler.pointCount());
     std::vector<Point> samples;
-    sampler.draw(random, std::min(mostSamples, samplesPerPoint * points), samples);
+    const std::size_t strata = std::min(mostSamples, samplesPerPoint * points);
+    sampler.drawStratified(random, {strata, 0, strata}, samples);
+    samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
     const auto vertices = static_cast<int>(shareOfTarget * parameters.targetVertexCount);
     const std::vector<Point3> drawn = toVcg(samples);
     const std::vector<Point3> even = withEvenDensity(drawn);

@@ -20,6 +20,13 @@ struct Outliers {
     bool isEstimate = false; ///< where not every point was looked at
 };
 
+/// Those from `first` to before `end` of so many parts of a target space that are equally probable.
+struct Strata {
+    std::size_t count = 0;
+    std::size_t first = 0;
+    std::size_t end = 0;
+};
+
 class Sampler {
 public:
     Sampler() = default;
@@ -35,6 +42,15 @@ public:
     /// whatever these held before. All randomness comes from `random`. Called for thousands of
     /// samples at once.
     virtual void draw(Random &random, std::size_t count, std::vector<Point> &samples) const = 0;
+
+    /// One sample of each stratum into `samples` (stratified sampling): each is distributed as
+    /// those of draw() where a stratum is drawn at random, and all together lie on P more evenly. A
+    /// space that has no strata draws independent ones.
+    virtual void drawStratified(Random &random, const Strata &strata,
+                                std::vector<Point> &samples) const
+    {
+        draw(random, strata.end - strata.first, samples);
+    }
 
     /// How many points the space has, repeated ones included, perhaps with outliers; by default
     /// more than any network asks for, as a surface has.

@@ -10,6 +10,7 @@
 #include "samplers/files/point_survey.h"
 #include "samplers/input_checks.h"
 #include "samplers/points/distinct_points.h"
+#include "samplers/points/strata_of_points.h"
 
 namespace neuralmesh {
 namespace {
@@ -166,25 +167,45 @@ vcg::Box3d PointFileSampler::findWorldBounds(const Progress &progress)
 void PointFileSampler::draw(Random &random, std::size_t count, std::vector<Point> &samples) const
 {
     samples.resize(count);
-    for (std::size_t begin = 0; begin < count; begin += pointsPerLook) {
+    drawEach(
+        random, [&](std::size_t) { return randomIndex(random, records_.count()); }, samples);
+}
+
+void PointFileSampler::drawStratified(Random &random, const Strata &strata,
+                                      std::vector<Point> &samples) const
+{
+    samples.resize(strata.end - strata.first);
+    const StrataOfPoints of(records_.count(), strata.count);
+    drawEach(
+        random, [&](std::size_t i) { return of.draw(random, strata.first + i); }, samples);
+}
+
+/// The records index(0), index(1), ...
+template <class Index>
+void PointFileSampler::drawEach(Random &random, const Index &index,
+                                std::vector<Point> &samples) const
+{
+    for (std::size_t begin = 0; begin < samples.size(); begin += pointsPerLook) {
         if (file_.hasChanged())
             throw InvalidPointFile(path_, changed);
-        const std::size_t end = std::min(begin + pointsPerLook, count);
+        const std::size_t end = std::min(begin + pointsPerLook, samples.size());
         for (std::size_t i = begin; i < end; i += readsAtOnce)
-            drawAtOnce(random, std::min(readsAtOnce, end - i), &samples[i]);
+            drawAtOnce(random, i, std::min(i + readsAtOnce, end), index, &samples[i]);
     }
 }
 
 /// Asks for all records before it reads the first: each lies on a page of its own, and the memory
 /// answers several requests in hardly more time than one.
-void PointFileSampler::drawAtOnce(Random &random, std::size_t count, Point *samples) const
+template <class Index>
+void PointFileSampler::drawAtOnce(Random &random, std::size_t first, std::size_t end,
+                                  const Index &index, Point *samples) const
 {
     std::uint64_t indices[readsAtOnce];
-    for (std::size_t i = 0; i < count; ++i) {
-        indices[i] = randomIndex(random, records_.count());
-        prefetch(records_.record(indices[i]));
+    for (std::size_t i = first; i < end; ++i) {
+        indices[i - first] = index(i);
+        prefetch(records_.record(indices[i - first]));
     }
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < end - first; ++i) {
         const Point3 world = records_.point(indices[i]);
         samples[i] = toPlain(toUnit(frame_, isToBeDrawn(world) ? world : drawAnother(random)));
     }

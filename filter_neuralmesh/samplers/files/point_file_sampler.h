@@ -29,6 +29,9 @@ public:
     bool isFlat() const override { return isFlat_; }
     /// Throws InvalidPointFile where the file has been changed since it was opened.
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
+    /// Strata are of records that follow each other in the file.
+    void drawStratified(Random &random, const Strata &strata,
+                        std::vector<Point> &samples) const override;
     std::size_t pointCount() const override;
     /// Reads the file from its start until it has found enough.
     std::size_t countDistinctPoints(std::size_t enough) const override;
@@ -42,7 +45,11 @@ private:
     vcg::Box3d findWorldBounds(const Progress &progress);
     void countOutliers(const Progress &progress);
     bool isToBeDrawn(const Point3 &world) const;
-    void drawAtOnce(Random &random, std::size_t count, Point *samples) const;
+    template <class Index>
+    void drawEach(Random &random, const Index &index, std::vector<Point> &samples) const;
+    template <class Index>
+    void drawAtOnce(Random &random, std::size_t first, std::size_t end, const Index &index,
+                    Point *samples) const;
     Point3 drawAnother(Random &random) const;
 
     std::string path_;

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/space/morton_order.h"
 #include "neuralmesh/errors.h"
 #include "samplers/input_checks.h"
 #include "samplers/points/distinct_points.h"
 #include "samplers/points/outlier_filter.h"
+#include "samplers/points/strata_of_points.h"
 
 namespace neuralmesh {
 namespace {
@@ -77,6 +79,8 @@ PointCloudSampler::PointCloudSampler(const std::vector<Point> &world,
         byDensity_.emplace(weights);
     }
     requireFourPoints(countDistinctPoints(4));
+    if (!byDensity_)
+        order_ = MortonOrder(bounds()).indices(points_);
     isFlat_ = neuralmesh::isFlat(points_, outliers_.count);
 }
 
@@ -101,6 +105,17 @@ void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Poin
     samples.resize(count);
     for (Point &sample : samples)
         sample = toPlain(points_[drawIndex(random)]);
+}
+
+void PointCloudSampler::drawStratified(Random &random, const Strata &strata,
+                                       std::vector<Point> &samples) const
+{
+    if (byDensity_)
+        return draw(random, strata.end - strata.first, samples);
+    samples.clear();
+    const StrataOfPoints of(points_.size(), strata.count);
+    for (std::size_t i = strata.first; i < strata.end; ++i)
+        samples.push_back(toPlain(points_[order_[of.draw(random, i)]]));
 }
 
 std::size_t PointCloudSampler::drawIndex(Random &random) const

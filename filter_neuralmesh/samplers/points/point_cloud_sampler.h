@@ -27,6 +27,10 @@ public:
     Box bounds() const override { return toPlain(bounds_); }
     bool isFlat() const override { return isFlat_; }
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
+    /// Strata are of points that follow each other on a Morton curve; where a density is given,
+    /// there are none.
+    void drawStratified(Random &random, const Strata &strata,
+                        std::vector<Point> &samples) const override;
     std::size_t pointCount() const override { return points_.size(); }
     std::size_t countDistinctPoints(std::size_t enough) const override;
 
@@ -41,7 +45,8 @@ private:
     UnitFrame frame_;
     bool isFlat_ = false;
     Box3 bounds_;
-    std::vector<Point3> points_; ///< in the unit frame
+    std::vector<Point3> points_;       ///< in the unit frame
+    std::vector<std::uint32_t> order_; ///< of these, along a Morton curve
 };
 
 } // namespace neuralmesh

@@ -37,6 +37,105 @@ TEST(PointCloudSampler, draws_every_point_with_the_same_probability)
         EXPECT_NEAR(count, 25000, 685);
 }
 
+/// How often each of the points was drawn from so many strata, by its index.
+std::vector<int> timesDrawn(const PointCloudSampler &sampler, const Points &points,
+                            std::size_t strata)
+{
+    Random random(3);
+    std::vector<Point> drawn;
+    sampler.drawStratified(random, {strata, 0, strata}, drawn);
+    std::map<vcg::Point3d, int> times;
+    for (const Point &sample : drawn)
+        ++times[toVcg(sample)];
+    std::vector<int> counts;
+    for (const vcg::Point3d &p : points)
+        counts.push_back(times[toUnit(sampler.frame(), p)]);
+    return counts;
+}
+
+TEST(PointCloudSampler, draws_each_point_once_of_as_many_strata_as_points)
+{
+    const Points points = test::spherePoints(1000, 1);
+    const PointCloudSampler sampler(points);
+    for (const int times : timesDrawn(sampler, points, 1000))
+        EXPECT_EQ(times, 1);
+    // Of more, each about as often; of fewer, once or, where it lies in two strata, twice.
+    for (const int times : timesDrawn(sampler, points, 2500))
+        EXPECT_NEAR(times, 2.5, 1.5);
+    for (const int times : timesDrawn(sampler, points, 300))
+        EXPECT_LE(times, 2);
+}
+
+TEST(PointCloudSampler, every_point_of_a_stratum_is_as_likely)
+{
+    const PointCloudSampler sampler(tetrahedron);
+    Random random(1);
+    std::vector<Point> drawn;
+    std::map<vcg::Point3d, int> counts;
+    for (int i = 0; i < 30000; ++i) {
+        sampler.drawStratified(random, {3, 0, 3}, drawn);
+        for (const Point &sample : drawn)
+            ++counts[toVcg(sample)];
+    }
+    ASSERT_EQ(counts.size(), 4U);
+    // Five standard deviations of a binomial(90000, 1/4): 650. Strata make it less.
+    for (const auto &[point, count] : counts)
+        EXPECT_NEAR(count, 22500, 650);
+}
+
+TEST(PointCloudSampler, strata_cover_the_surface_more_evenly_than_independent_samples)
+{
+    const PointCloudSampler sampler(test::spherePoints(20000, 1));
+    Random random(1);
+    const auto variance = [&](bool isStratified) {
+        // Samples in one of the sphere's octants, of 400.
+        double sum = 0;
+        double squares = 0;
+        std::vector<Point> drawn;
+        for (int i = 0; i < 200; ++i) {
+            if (isStratified)
+                sampler.drawStratified(random, {400, 0, 400}, drawn);
+            else
+                sampler.draw(random, 400, drawn);
+            double inOctant = 0;
+            for (const Point &p : drawn)
+                inOctant += p[0] > 0 && p[1] > 0 && p[2] > 0 ? 1 : 0;
+            sum += inOctant;
+            squares += inOctant * inOctant;
+        }
+        return squares / 200 - sum * sum / 40000;
+    };
+    // Of independent ones 400 * 1/8 * 7/8 = 44; of strata, those at the octant's rim vary alone.
+    EXPECT_LT(variance(true), 0.2 * variance(false));
+}
+
+TEST(PointCloudSampler, strata_in_parts_are_those_of_the_whole)
+{
+    const PointCloudSampler sampler(test::spherePoints(500, 1));
+    Random random(7);
+    std::vector<Point> whole;
+    sampler.drawStratified(random, {100, 0, 100}, whole);
+    Random again(7);
+    std::vector<Point> first;
+    std::vector<Point> second;
+    sampler.drawStratified(again, {100, 0, 64}, first);
+    sampler.drawStratified(again, {100, 64, 100}, second);
+    first.insert(first.end(), second.begin(), second.end());
+    EXPECT_EQ(first, whole);
+}
+
+TEST(PointCloudSampler, has_no_strata_where_a_density_is_given)
+{
+    const PointCloudSampler sampler({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}},
+                                    {1, 1, 1, 1, 0});
+    Random random(1);
+    std::vector<Point> drawn;
+    sampler.drawStratified(random, {1000, 0, 1000}, drawn);
+    ASSERT_EQ(drawn.size(), 1000U);
+    for (const Point &sample : drawn) // not (1, 1, 1)
+        EXPECT_LT((toWorld(sampler.frame(), toVcg(sample)) * vcg::Point3d(1, 1, 1)), 1.5);
+}
+
 TEST(PointCloudSampler, the_unit_frame_is_centred_with_unit_diagonal)
 {
     Points far = tetrahedron;

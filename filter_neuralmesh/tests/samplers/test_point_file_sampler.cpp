@@ -39,6 +39,19 @@ TEST(PointFileSampler, draws_what_the_same_points_in_memory_give)
     EXPECT_EQ(test::drawWorld(inFile, 7, 20000), test::drawWorld(inMemory, 7, 20000));
 }
 
+TEST(PointFileSampler, draws_each_record_once_of_as_many_strata_in_their_order)
+{
+    const test::WorldPoints points = test::spherePoints(400, 1);
+    const TemporaryFile file(test::npyOf<double>(points));
+    const PointFileSampler sampler(file.path());
+    Random random(1);
+    std::vector<Point> drawn;
+    sampler.drawStratified(random, {400, 0, 400}, drawn);
+    ASSERT_EQ(drawn.size(), 400U);
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        EXPECT_EQ(toVcg(drawn[i]), toUnit(sampler.frame(), points[i]));
+}
+
 TEST(PointFileSampler, has_the_points_that_it_looked_at_in_time)
 {
     test::WorldPoints points = test::spherePoints(300000, 1);

@@ -164,6 +164,7 @@ _OF_GROWTH = {
         [
             ("batchPerVertexOneByOne", "0.25", "1", "signals a vertex"),
             ("consolidationRounds", "5", "20", "rounds"),
+            ("closingBatches", "2", "8", "batches"),
         ],
     ),
     **swept(_GROWTH, LEARNED, [("batchPerVertex", "1", "4", "samples a vertex")]),

@@ -26,7 +26,7 @@ CLOSING: tuple[Mutant, ...] = (
         "borders-follow-strays-one-by-one",
         "samples far beyond a border are passed over by the paper's rules, too",
         "core/growth.cpp",
-        "if (isBeyondBorder(network_.mesh(), winner, batch_[i], reach)) {",
+        "if (isBeyondBorder(network_.mesh(), winner, batch[i], reach)) {",
         "if (reach < 0) {",
         ("Borders.do_not_follow_strays",),
     ),
