@@ -11,6 +11,7 @@ datasets/     public models by name                     machine.py   what a repo
 drawing.py    pictures without a screen                 generated_clouds.py  clouds and PLY files
 command_line.py  options that several programs have
 operating_system.py  what Linux, macOS and Windows differ in
+meshlab2.py   writes filters.json of the adapter for MeshLab's rewrite
 
 And one package a program: quality/ and benchmarks/ (benchmark.py), comparison/ (compare.py),
 batching/ (batch.py), paper/ (reproduce_paper.py), desktop/ (test_desktop), release/ (release);
