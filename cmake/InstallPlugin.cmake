@@ -3,7 +3,14 @@
 # user's folder of extra plugins, for PyMeshLab the plugin folder of the installed wheel. Inside
 # `pip install .` (scikit-build-core) it goes into our own Python package, with its type stub.
 
-if(DEFINED ENV{XDG_DATA_HOME})
+# Where Qt's AppDataLocation is, which MeshLab asks for, and where PyMeshLab has its plugins.
+set(pymeshlab_plugins "${PYMESHLAB_LIB_DIR}/plugins")
+if(WIN32)
+    file(TO_CMAKE_PATH "$ENV{APPDATA}" user_data)
+elseif(APPLE)
+    set(user_data "$ENV{HOME}/Library/Application Support")
+    set(pymeshlab_plugins "${PYMESHLAB_LIB_DIR}/../PlugIns")
+elseif(DEFINED ENV{XDG_DATA_HOME})
     set(user_data "$ENV{XDG_DATA_HOME}")
 else()
     set(user_data "$ENV{HOME}/.local/share")
@@ -24,7 +31,7 @@ if(DEFINED SKBUILD)
 elseif(NEURALMESH_HOST STREQUAL "meshlab")
     set(destination "${extra_plugins}")
 else()
-    set(destination "${PYMESHLAB_LIB_DIR}/plugins")
+    set(destination "${pymeshlab_plugins}")
 endif()
 set(NEURALMESH_INSTALL_DIR "${destination}" CACHE PATH "Where cmake --install puts the plugin")
 install(TARGETS filter_neuralmesh LIBRARY DESTINATION "${NEURALMESH_INSTALL_DIR}")

@@ -17,5 +17,5 @@ target_include_directories(muparser SYSTEM PUBLIC
     $<BUILD_INTERFACE:${MUPARSER_SOURCE_DIR}/include>)
 target_compile_definitions(muparser PUBLIC MUPARSER_STATIC)
 target_link_libraries(muparser PRIVATE $<BUILD_INTERFACE:neuralmesh_flags>)
-target_compile_options(muparser PRIVATE -w) # not ours to mend
+target_compile_options(muparser PRIVATE ${no_warnings}) # not ours to mend
 set_target_properties(muparser PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)

@@ -4,9 +4,9 @@
 
 foreach(package meshlab muparser)
     string(TOUPPER ${package}_SOURCE_DIR variable)
-    if(NOT ${variable})
+    if(NOT ${variable} AND NOT (package STREQUAL "meshlab" AND VCGLIB_DIR))
         execute_process(
-            COMMAND "${CMAKE_SOURCE_DIR}/scripts/setup" --print-${package}-source
+            COMMAND "${PROJECT_SOURCE_DIR}/scripts/setup" --print-${package}-source
             OUTPUT_VARIABLE folder
             OUTPUT_STRIP_TRAILING_WHITESPACE
             RESULT_VARIABLE failed)

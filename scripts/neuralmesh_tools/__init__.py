@@ -10,6 +10,8 @@ methods.py    the registry of reconstruction filters    metrics.py   what a mesh
 datasets/     public models by name                     machine.py   what a report says of it
 drawing.py    pictures without a screen                 generated_clouds.py  clouds and PLY files
 command_line.py  options that several programs have
+operating_system.py  what Linux, macOS and Windows differ in
+meshlab2.py   writes filters.json of the adapter for MeshLab's rewrite
 
 And one package a program: quality/ and benchmarks/ (benchmark.py), comparison/ (compare.py),
 batching/ (batch.py), paper/ (reproduce_paper.py), desktop/ (test_desktop), release/ (release);

@@ -10,8 +10,6 @@ children, and in threads.
 
 from __future__ import annotations
 
-import ctypes
-import locale
 import os
 import pkgutil
 import signal
@@ -27,15 +25,20 @@ from typing import Any
 
 import psutil
 
+from neuralmesh_tools import operating_system
+
 # Memory is looked at this often, in seconds: what is allocated in between goes unnoticed.
 WATCH_INTERVAL = 0.02
 # Seconds that a busy machine may take to start Python and to import what the call needs.
 START_TIMEOUT = 120.0
 # A call that waits instead of computing is given up after so many times its limit, by the clock.
 WAITING_FACTOR = 10.0
-PR_SET_PDEATHSIG = 1
-# The modules beside this one are no top-level modules.
-NO_SCRIPT_FOLDER = ["-P"] if sys.version_info >= (3, 11) else []
+# How the process starts: it finds this package, and nothing in the folder that it starts in.
+START = (
+    "import sys; sys.path[:] = [sys.argv[1], *filter(None, sys.path)]; "
+    "from neuralmesh_tools.isolation import main; main(sys.argv[2])"
+)
+PACKAGES = Path(__file__).resolve().parent.parent
 
 
 class Stopped(RuntimeError):
@@ -142,19 +145,11 @@ class IsolatedProcess:
     def _running(self) -> tuple[subprocess.Popen[bytes], Connection]:
         if self._process is None or self._pipe is None:
             self._pipe, theirs = Pipe()
-            self._process = subprocess.Popen(
-                [
-                    sys.executable,
-                    *NO_SCRIPT_FOLDER,
-                    str(Path(__file__).resolve()),
-                    str(theirs.fileno()),
-                ],
-                env={**os.environ, **_readable_names(), **self._environment},
-                pass_fds=[theirs.fileno()],
-                stdin=subprocess.DEVNULL,
-                start_new_session=True,  # Ctrl-C in the terminal is the parent's to handle
+            self._process = operating_system.start_with(
+                theirs,
+                [sys.executable, "-c", START, str(PACKAGES)],
+                {**os.environ, **operating_system.readable_names(), **self._environment},
             )
-            theirs.close()
             self._calls = 0
             self._pipe.send([str(Path(entry).resolve()) for entry in sys.path])
         return self._process, self._pipe
@@ -187,7 +182,9 @@ class IsolatedProcess:
                 peak = max(peak, watched.memory_info().rss)
                 computed = _computed(watched) - cpu_before
             except (EOFError, ConnectionError, psutil.NoSuchProcess):
-                return Outcome("crashed", None, _how_it_ended(process), seconds, peak)
+                return Outcome(
+                    "crashed", None, operating_system.how_it_ended(process.wait()), seconds, peak
+                )
             if memory_limit and peak > memory_limit:
                 failure = f"It needed more than the {memory_limit / 2**20:.0f} MB allowed."
                 return Outcome("out of memory", None, failure, seconds, peak)
@@ -203,22 +200,6 @@ def _computed(process: psutil.Process) -> float:
     """The seconds that a process has computed, all its threads together."""
     times = process.cpu_times()
     return float(times.user + times.system)
-
-
-def _readable_names() -> dict[str, str]:
-    """What the environment lacks for PyMeshLab to read names of files as UTF-8.
-
-    Under LC_ALL=C it takes each letter that is not ASCII for a question mark.
-    """
-    encoding = locale.nl_langinfo(locale.CODESET).lower().replace("-", "")
-    return {} if encoding == "utf8" else {"LC_ALL": "C.UTF-8"}
-
-
-def _how_it_ended(process: subprocess.Popen[bytes]) -> str:
-    code = process.wait()
-    if code >= 0:
-        return f"The process ended by itself with exit code {code}."
-    return f"The process crashed with {signal.Signals(-code).name}."
 
 
 # --------------------------------------------------------------------------- inside the process
@@ -237,7 +218,7 @@ def _serve(pipe: Connection) -> None:
         if folder:
             os.chdir(folder)
         _print_into(log)
-        _forget_peak()
+        operating_system.forget_peak()
         pipe.send(None)
         start = time.perf_counter()
         try:
@@ -250,45 +231,19 @@ def _serve(pipe: Connection) -> None:
         seconds = time.perf_counter() - start
         sys.stdout.flush()
         sys.stderr.flush()
-        pipe.send((kind, value, failure, seconds, _peak()))
+        pipe.send((kind, value, failure, seconds, operating_system.peak()))
 
 
 def _print_into(path: str) -> None:
     """Send both standard streams, those of C++ too, to the end of a file, which is no link."""
-    file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_NOFOLLOW, 0o644)
+    file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | operating_system.NO_LINK, 0o644)
     for stream in (1, 2):
         os.dup2(file, stream)
     os.close(file)
 
 
-def _forget_peak() -> None:
-    """Start the kernel's high-water mark of resident memory anew, where there is one."""
-    try:
-        Path("/proc/self/clear_refs").write_text("5")
-    except OSError:
-        return
-
-
-def _peak() -> int:
-    """The largest resident size in bytes since _forget_peak; the present one if unknown."""
-    try:
-        status = Path("/proc/self/status").read_text()
-        line = next(line for line in status.splitlines() if line.startswith("VmHWM"))
-        return int(line.split()[1]) * 1024
-    except (OSError, StopIteration):
-        return int(psutil.Process().memory_info().rss)
-
-
-def _die_with_parent() -> None:
-    """Have the kernel kill this process when the thread that started it ends (Linux only).
-
-    A filter that runs cannot notice that the other end of the pipe is gone.
-    """
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-
-
-if __name__ == "__main__":
-    _die_with_parent()
+def main(pipe: str) -> None:
+    """Serve the process that started this one and gave it an end of a pipe."""
+    operating_system.die_with_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    _serve(Connection(int(sys.argv[1])))
+    _serve(operating_system.connection(pipe))

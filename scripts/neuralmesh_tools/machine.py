@@ -5,17 +5,18 @@ from __future__ import annotations
 
 import importlib.metadata
 import platform
-from pathlib import Path
 from typing import Any
 
 import psutil
+
+from neuralmesh_tools import operating_system
 
 
 def machine() -> dict[str, Any]:
     """This machine: system, processor, cores, memory, Python."""
     return {
         "system": platform.platform(),
-        "processor": _processor(),
+        "processor": operating_system.processor() or platform.processor() or platform.machine(),
         "cores": psutil.cpu_count(),
         "memory_gigabytes": round(psutil.virtual_memory().total / 2**30, 1),
         "python": platform.python_version(),
@@ -25,13 +26,3 @@ def machine() -> dict[str, Any]:
 def version_of(package: str) -> str:
     """The version of a Python package that is installed."""
     return importlib.metadata.version(package)
-
-
-def _processor() -> str:
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-        return next(
-            line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")
-        )
-    except (OSError, StopIteration):
-        return platform.processor() or platform.machine()

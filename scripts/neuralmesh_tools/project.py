@@ -10,10 +10,11 @@ import importlib.util
 import os
 from pathlib import Path
 
+from neuralmesh_tools.operating_system import PLUGIN_NAME
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 SCRIPTS = ROOT / "scripts"
 
-PLUGIN_NAME = "libfilter_neuralmesh.so"
 # Of the desktop, in single precision, and of PyMeshLab, in double precision.
 DESKTOP_PLUGIN = ROOT / "build" / "meshlab" / PLUGIN_NAME
 BUILT_PLUGIN = ROOT / "build" / "pymeshlab" / PLUGIN_NAME

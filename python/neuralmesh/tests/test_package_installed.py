@@ -16,7 +16,7 @@ import pytest
 from numpy.typing import NDArray
 
 from neuralmesh_tools.project import ROOT
-from neuralmesh_tools.release import elf
+from neuralmesh_tools.release import needs
 
 SCRIPT = """
 import neuralmesh, numpy as np
@@ -87,8 +87,8 @@ def test_a_new_environment_makes_the_filters_mesh(
 
 def test_the_module_needs_no_library_but_those_of_cpp() -> None:
     module = Path(neuralmesh._core.__file__)
-    assert elf.needed(module) <= elf.RUNTIME
-    assert not elf.has_search_path(module)
+    assert needs.superfluous(module) == set()
+    assert needs.search_path(module) == set()
 
 
 def test_the_wheel_says_what_it_is(wheel: Path) -> None:

@@ -15,7 +15,6 @@ removed.
 
 from __future__ import annotations
 
-import fcntl
 import json
 import os
 import shutil
@@ -25,6 +24,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from neuralmesh_tools import operating_system
 from neuralmesh_tools.files import fitting, write_in_one_step
 
 Record = dict[str, Any]
@@ -90,12 +90,10 @@ class OutFolder:
         """
         state = self.root / STATE
         self.make_room_for(state / "lock")
-        flags = os.O_WRONLY | os.O_CREAT | os.O_NOFOLLOW
+        flags = os.O_WRONLY | os.O_CREAT | operating_system.NO_LINK
         with open(os.open(state / "lock", flags, 0o644), "a") as lock:
-            try:
-                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                raise Locked(f"Another batch is at work in {self.root}.") from None
+            if not operating_system.lock(lock):
+                raise Locked(f"Another batch is at work in {self.root}.")
             write_in_one_step(state / "run", run)
             self.clear_partial()
             try:

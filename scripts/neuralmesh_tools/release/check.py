@@ -11,38 +11,15 @@ import tempfile
 from pathlib import Path
 
 from neuralmesh_tools.project import PLUGIN_NAME, SCRIPTS
-from neuralmesh_tools.release import elf
+from neuralmesh_tools.release import needs
 
 SKIPPED = 77  # of scripts/test_desktop
 
-# Ends with 0 only if the filter makes what it was asked for.
-USE_ARCHIVE = """
-import sys, pathlib, pymeshlab
-pymeshlab.load_plugin(sys.argv[1])
-ms = pymeshlab.MeshSet()
-ms.load_new_mesh(str(pathlib.Path(pymeshlab.__file__).parent / "tests/sample_meshes/bunny.obj"))
-result = ms.apply_filter("generate_surface_reconstruction_neural_mesh", targetvertnum=500)
-sys.exit(result["vertices"] != 500)
-"""
-USE_WHEEL = """
-import sys, inspect, pathlib, pymeshlab, pymeshlab_neuralmesh as nm
-ms = nm.MeshSet()
-ms.load_new_mesh(str(pathlib.Path(pymeshlab.__file__).parent / "tests/sample_meshes/bunny.obj"))
-result = ms.generate_surface_reconstruction_neural_mesh(targetvertnum=500)
-method = nm.MeshSet.generate_surface_reconstruction_neural_mesh
-assert "targetvertnum" in inspect.signature(method).parameters
-assert "Exact number of vertices" in " ".join(method.__doc__.split())
-stub = pathlib.Path(nm.__file__).with_suffix(".pyi").read_text()
-assert all(f"def {name}(" in stub for name in nm.FILTERS)
-sys.exit(result["vertices"] != 500)
-"""
-USE_PACKAGE = """
-import sys, numpy as np, neuralmesh
-points = np.random.default_rng(0).normal(size=(5000, 3))
-points /= np.linalg.norm(points, axis=1)[:, None]
-result = neuralmesh.reconstruct(points, vertices=500)
-sys.exit(result.vertices.shape != (500, 3))
-"""
+# Programs that end with 0 only if what was installed works.
+HERE = Path(__file__).resolve().parent
+USE_PLUGIN, USE_WHEEL, USE_PACKAGE = (
+    HERE / f"use_{what}.py" for what in ("plugin", "wheel", "package")
+)
 
 
 def main() -> int:
@@ -60,8 +37,10 @@ def main() -> int:
             check_desktop(desktop)
         scripted = unpacked(next(folder.glob("*-pymeshlab-*.tar.gz")), work)
         check_needs(scripted)
-        run([sys.executable, "-c", USE_ARCHIVE, str(scripted)])
-        check_wheel(next(folder.glob("pymeshlab_neuralmesh-*.whl")), work / "venv", USE_WHEEL)
+        run([sys.executable, str(USE_PLUGIN), str(scripted)])
+        check_wheel(
+            next(folder.glob("pymeshlab_neuralmesh-*manylinux*.whl")), work / "venv", USE_WHEEL
+        )
         check_wheel(next(folder.glob("neuralmesh-*manylinux*.whl")), work / "plain", USE_PACKAGE)
     for made in sorted(folder.iterdir()):
         print(f"{made.stat().st_size / 1024:7.0f} KB  {made}")
@@ -77,11 +56,10 @@ def unpacked(archive: Path, work: Path) -> Path:
 
 def check_needs(plugin: Path) -> None:
     """Raise if a plugin needs more than its host and the C++ run time, or looks in odd places."""
-    superfluous = elf.needed(plugin) - elf.RUNTIME - {elf.HOST}
-    if superfluous:
+    if superfluous := needs.superfluous(plugin):
         raise RuntimeError(f"{plugin.name} needs {', '.join(sorted(superfluous))}")
-    if elf.has_search_path(plugin):
-        raise RuntimeError(f"{plugin.name} has a RUNPATH")
+    if folders := needs.search_path(plugin):
+        raise RuntimeError(f"{plugin.name} looks for libraries in {', '.join(folders)}")
 
 
 def check_desktop(plugin: Path) -> None:
@@ -92,13 +70,13 @@ def check_desktop(plugin: Path) -> None:
         raise RuntimeError(f"scripts/test_desktop ended with {code}")
 
 
-def check_wheel(wheel: Path, venv: Path, use: str) -> None:
+def check_wheel(wheel: Path, venv: Path, use: Path) -> None:
     """Install a wheel, with what it needs, into a new environment and use it."""
     run([sys.executable, "-m", "venv", str(venv)])
     python = str(venv / "bin" / "python")
     pip = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
     run([*pip, str(wheel)])
-    run([python, "-c", use])
+    run([python, str(use)])
 
 
 def run(command: list[str]) -> None:
