@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/closing.h"
+#include "core/fit/few_points.h"
 #include "core/fit/surface_fit.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/edge_lengths.h"
@@ -139,9 +140,10 @@ private:
     void close()
     {
         watch_.mindTime(false);
+        const bool isMoved = bringNearBounds(network_, sampler_, parameters_.startMesh);
         if (isToBeClosed() && !isClosed(network_.mesh()))
             report_.selfIntersections = closing_.close();
-        else if (!parameters_.surfaceFit || isTimeUp())
+        else if (isMoved || !parameters_.surfaceFit || isTimeUp())
             report_.selfIntersections = network_.findSelfIntersections().faces;
         watch_.mindTime(!isTimeUp());
     }

@@ -266,6 +266,10 @@ _OF_FIT = {
         ],
     ),
     **fixed(
+        "core/free_memory.cpp",
+        [("bytesPerVertex", "bytes", "what is refused follows from it, no mesh")],
+    ),
+    **fixed(
         "core/parameters.cpp",
         [
             ("mostSmoothingPasses", "passes", "what is refused follows from it, no mesh"),

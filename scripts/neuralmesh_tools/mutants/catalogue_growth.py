@@ -221,4 +221,12 @@ GROWTH: tuple[Mutant, ...] = (
         "    const Scalar margin = 10 * bounds.Diag();",
         ("FewPoints.no_vertex_is_far_outside_the_box_of_the_points",),
     ),
+    Mutant(
+        "growth-has-no-bounds",
+        "growth without the fit stays near the box of the points, too",
+        "core/fit/few_points.cpp",
+        "    if (start == StartMesh::given)",
+        "    if (start != StartMesh::given)",
+        ("FewPoints.no_vertex_is_far_outside_the_box_without_the_fit",),
+    ),
 )
