@@ -35,7 +35,9 @@ def status(name: str) -> int:
 
 
 def small_case(seed: int) -> Case:
-    return Case(Recipe("sphere", 300, seed), {"targetvertnum": 60, "randomseed": seed + 1})
+    return Case(
+        Recipe("sphere", 300, seed), {"targetvertnum": 60, "topology": 0, "randomseed": seed + 1}
+    )
 
 
 def growth_of_runs(runner: str) -> int:
