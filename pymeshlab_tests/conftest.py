@@ -21,8 +21,14 @@ if not hasattr(pymeshlab.Mesh, "transform_matrix"):
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """--clouds 200 runs the tests of batches at their full size, which takes minutes."""
+    """Sizes of tests: --clouds 200 runs those of batches at their full size, in minutes."""
     parser.addoption("--clouds", type=int, default=24, help="in a batch (default 24)")
+    parser.addoption(
+        "--property-cases", type=int, default=500, help="of property tests (default 500)"
+    )
+    parser.addoption(
+        "--property-seed", type=int, default=0, help="other cases of property tests (default 0)"
+    )
 
 
 @pytest.fixture

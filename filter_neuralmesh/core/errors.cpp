@@ -96,12 +96,19 @@ std::string nameOf(Parameter parameter)
     return {};
 }
 
-FlatTarget::FlatTarget(bool wasSought)
-    : InvalidInput(wasSought ? "All points lie on a plane, and are too few or too uneven for a "
-                               "sheet to be found in them."
-                             : "All points lie on a plane: a closed surface cannot be fitted to "
-                               "them. Learn the topology from the data."),
-      wasSought_(wasSought)
+std::string allPointsBut(std::uint64_t ignored)
+{
+    return "All points" +
+           (ignored == 0 ? "" : " but " + countOf(ignored, "isolated one", "isolated ones"));
+}
+
+FlatTarget::FlatTarget(bool wasSought, std::uint64_t ignored)
+    : InvalidInput(allPointsBut(ignored) +
+                   (wasSought ? " lie on a plane, and are too few or too uneven for a sheet to be "
+                                "found in them."
+                              : " lie on a plane: a closed surface cannot be fitted to them. Learn "
+                                "the topology from the data.")),
+      wasSought_(wasSought), ignored_(ignored)
 {
 }
 

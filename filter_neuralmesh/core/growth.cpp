@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/closing.h"
+#include "core/fit/few_points.h"
 #include "core/fit/surface_fit.h"
 #include "core/mesh/boundary.h"
 #include "core/mesh/edge_lengths.h"
@@ -48,9 +49,8 @@ constexpr double shareOfGrowth = 0.85;
 /// Signals between two calls of the progress callback.
 constexpr std::size_t signalsPerReport = 10000;
 
-/// Consolidation ends after so many rounds even where each still removes a vertex. A network that
-/// learns from batches has one, and then some batches in which its latest vertices find their
-/// places: it is more accurate than after ten rounds, at less cost.
+/// Rounds of consolidation, even where each still removes a vertex. A network that learns from
+/// batches has one, and then some batches in which its latest vertices find their places.
 constexpr int consolidationRounds = 10;
 constexpr int closingBatches = 4;
 
@@ -140,9 +140,10 @@ private:
     void close()
     {
         watch_.mindTime(false);
+        const bool isMoved = bringNearBounds(network_, sampler_, parameters_.startMesh);
         if (isToBeClosed() && !isClosed(network_.mesh()))
             report_.selfIntersections = closing_.close();
-        else if (!parameters_.surfaceFit || isTimeUp())
+        else if (isMoved || !parameters_.surfaceFit || isTimeUp())
             report_.selfIntersections = network_.findSelfIntersections().faces;
         watch_.mindTime(!isTimeUp());
     }

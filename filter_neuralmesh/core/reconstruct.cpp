@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/fit/few_points.h"
 #include "core/growth.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/result/plain_mesh.h"
@@ -46,6 +47,7 @@ Result growFrom(NeuralMesh &network, const Sampler &sampler, const GrowthParamet
     NetworkTaker takeNetwork;
     if (takeSnapshot)
         takeNetwork = [&](std::unique_ptr<NeuralMesh> snapshot) {
+            bringNearBounds(*snapshot, sampler, parameters.startMesh); // not all are finished
             takeSnapshot(plainMesh(*snapshot, frame));
         };
     const GrowthReport growth = grow(network, sampler, parameters, progress, takeNetwork);

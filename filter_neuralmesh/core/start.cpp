@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/free_memory.h"
 #include "core/mesh/boundary.h"
 #include "core/shape/start_from_data.h"
 #include "core/space/plain_points.h"
@@ -57,6 +58,7 @@ void requireEnoughPoints(const Sampler &sampler, int target)
         throw InvalidParameter(Parameter::targetVertexCount,
                                InvalidParameter::Problem::aboveDistinctPoints, target,
                                static_cast<double>(distinct));
+    requireMemory(target);
 }
 
 Start makeStart(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
@@ -69,7 +71,7 @@ Start makeStart(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters
     start.hasShape = isFound || parameters.startMesh == StartMesh::given;
     const bool isFinished = start.shape != LearnedShape::notFinished;
     if (isFinished && sampler.isFlat() && (!start.hasShape || isClosed(mesh)))
-        throw FlatTarget(start.shape != LearnedShape::notAsked);
+        throw FlatTarget(start.shape != LearnedShape::notAsked, sampler.outliers().count);
     if (!start.hasShape) {
         std::vector<Point> drawn;
         sampler.draw(random, startingSamples, drawn);

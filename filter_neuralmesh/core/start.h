@@ -33,7 +33,8 @@ struct Start {
 Start makeStart(NeuralMesh &mesh, const Sampler &sampler, const GrowthParameters &parameters,
                 Random &random, Workers &workers);
 
-/// Throws InvalidParameter where the target has more vertices than there are distinct points.
+/// Throws InvalidParameter where the target has more vertices than there are distinct points, and
+/// TooLittleMemory.
 void requireEnoughPoints(const Sampler &sampler, int target);
 
 /// Throws InvalidParameter where the count of vertices that a parameter asks for is below that of

@@ -20,8 +20,11 @@ public:
     void add(const MeshModel &layer)
     {
         layers_.push_back(&layer);
-        const std::vector<neuralmesh::Point> points = worldPoints(layer);
-        points_.insert(points_.end(), points.begin(), points.end());
+        std::vector<neuralmesh::Point> points = worldPoints(layer);
+        if (points_.empty())
+            points_ = std::move(points);
+        else
+            points_.insert(points_.end(), points.begin(), points.end());
         if (!withDensity_)
             return;
         const std::vector<double> qualities = vertexQualities(layer);
@@ -30,7 +33,7 @@ public:
 
     TargetSpace targetSpace(const QString &name)
     {
-        auto sampler = neuralmesh::pointCloudSampler(points_, qualities_);
+        auto sampler = neuralmesh::pointCloudSampler(std::move(points_), qualities_);
         const std::string remark = neuralmesh::outlierRemark(sampler->outliers());
         return {std::move(sampler), name, remark, {layers_, false}, {}};
     }

@@ -17,12 +17,12 @@ namespace {
 constexpr double flatExtent = 1e-6;
 
 /// Widths of the points along their principal axes, ascending, in units of the diagonal.
-Eigen::Vector3d principalWidths(const std::vector<Point3> &points)
+template <class AnyPoint> Eigen::Vector3d principalWidths(const std::vector<AnyPoint> &points)
 {
     const PrincipalAxes frame = principalAxes(points);
     Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Vector3d high = -low;
-    for (const Point3 &p : points) {
+    for (const AnyPoint &p : points) {
         const Eigen::Vector3d along = frame.axes.transpose() * (toEigen(p) - frame.mean);
         low = low.cwiseMin(along);
         high = high.cwiseMax(along);
@@ -30,11 +30,12 @@ Eigen::Vector3d principalWidths(const std::vector<Point3> &points)
     return high - low;
 }
 
-std::string butIgnored(std::uint64_t count)
+bool isFlatBy(const Eigen::Vector3d &widths, std::uint64_t ignored)
 {
-    if (count == 0)
-        return {};
-    return " but " + std::to_string(count) + (count == 1 ? " isolated one" : " isolated ones");
+    if (widths[1] < flatExtent)
+        throw InvalidInput(allPointsBut(ignored) +
+                           " lie on a line: there is no surface to reconstruct.");
+    return widths[0] < flatExtent;
 }
 
 } // namespace
@@ -84,11 +85,12 @@ void requireFourPoints(std::size_t distinct)
 
 bool isFlat(const std::vector<Point3> &points, std::uint64_t ignored)
 {
-    const Eigen::Vector3d widths = principalWidths(points);
-    if (widths[1] < flatExtent)
-        throw InvalidInput("All points" + butIgnored(ignored) +
-                           " lie on a line: there is no surface to reconstruct.");
-    return widths[0] < flatExtent;
+    return isFlatBy(principalWidths(points), ignored);
+}
+
+bool isFlat(const std::vector<Point> &points, std::uint64_t ignored)
+{
+    return isFlatBy(principalWidths(points), ignored);
 }
 
 std::vector<double> densityShares(std::vector<double> density, std::size_t points)

@@ -41,6 +41,7 @@ void requireFourPoints(std::size_t distinct);
 /// Whether the points, given in the unit frame, all lie on a plane. Throws InvalidInput where they
 /// lie on a line; it says how many others are ignored.
 bool isFlat(const std::vector<Point3> &points, std::uint64_t ignored = 0);
+bool isFlat(const std::vector<Point> &points, std::uint64_t ignored);
 
 /// Densities as shares of the largest; empty where none are given. Throws InvalidDensity where
 /// there is not one for each point, where one is negative, NaN or infinite, and where all are 0.

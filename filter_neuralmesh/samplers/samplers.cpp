@@ -27,10 +27,10 @@ Expression expressionOf(const Formula &formula, const char *variables)
 
 } // namespace
 
-std::unique_ptr<Sampler> pointCloudSampler(const std::vector<Point> &points,
+std::unique_ptr<Sampler> pointCloudSampler(std::vector<Point> points,
                                            const std::vector<double> &density)
 {
-    return std::make_unique<PointCloudSampler>(points, density);
+    return std::make_unique<PointCloudSampler>(std::move(points), density);
 }
 
 std::unique_ptr<Sampler> pointFileSampler(const std::string &path, const Progress &progress)

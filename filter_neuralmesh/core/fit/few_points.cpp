@@ -28,6 +28,33 @@ std::vector<Point> distinctPoints(const Sampler &sampler, Random &random, std::s
     return drawn;
 }
 
+Point3 nearBounds(Point3 place, const Box3 &bounds)
+{
+    const Scalar margin = bulge * bounds.Diag();
+    for (int axis = 0; axis < 3; ++axis)
+        place[axis] = std::clamp(place[axis], bounds.min[axis] - margin, bounds.max[axis] + margin);
+    return place;
+}
+
+/// Calls move(v, place) for each vertex that is further outside the bounds than it may be, with the
+/// nearest place that it may have. Returns whether there were any.
+template <class Move>
+bool forEachFarOutside(const NeuralMesh &mesh, const Sampler &sampler, StartMesh start,
+                       const Move &move)
+{
+    if (start == StartMesh::given)
+        return false;
+    const Box3 bounds = toVcg(sampler.bounds());
+    bool isAny = false;
+    forEachVertex(mesh, [&](VertexId v) {
+        if (const Point3 near = nearBounds(mesh.position(v), bounds); near != mesh.position(v)) {
+            move(v, near);
+            isAny = true;
+        }
+    });
+    return isAny;
+}
+
 } // namespace
 
 bool interpolatePoints(GrowingNetwork &network, const Sampler &sampler, Random &random)
@@ -56,13 +83,19 @@ bool interpolatePoints(GrowingNetwork &network, const Sampler &sampler, Random &
 
 Point3 movedNearBounds(const Point3 &from, const Point3 &move, const Box3 &bounds)
 {
-    if (move == Point3(0, 0, 0))
-        return from;
-    const Scalar margin = bulge * bounds.Diag();
-    Point3 place = from + move;
-    for (int axis = 0; axis < 3; ++axis)
-        place[axis] = std::clamp(place[axis], bounds.min[axis] - margin, bounds.max[axis] + margin);
-    return place;
+    return move == Point3(0, 0, 0) ? from : nearBounds(from + move, bounds);
+}
+
+bool bringNearBounds(GrowingNetwork &network, const Sampler &sampler, StartMesh start)
+{
+    return forEachFarOutside(network.mesh(), sampler, start,
+                             [&](VertexId v, const Point3 &near) { network.moveVertex(v, near); });
+}
+
+void bringNearBounds(NeuralMesh &mesh, const Sampler &sampler, StartMesh start)
+{
+    forEachFarOutside(mesh, sampler, start,
+                      [&](VertexId v, const Point3 &near) { mesh.position(v) = near; });
 }
 
 } // namespace neuralmesh

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/network/growing_network.h"
+#include "neuralmesh/parameters.h"
 #include "neuralmesh/sampler.h"
 
 namespace neuralmesh {
@@ -16,5 +17,12 @@ bool interpolatePoints(GrowingNetwork &network, const Sampler &sampler, Random &
 /// outside as the vertices of a curved surface are. One that is not moved, as no sample reaches it,
 /// stays wherever it is.
 Point3 movedNearBounds(const Point3 &from, const Point3 &move, const Box3 &bounds);
+
+/// Moves vertices that are further outside the bounds back to that distance. Smoothing moves the
+/// few vertices of a small network along their planes as far as these lead. Returns whether there
+/// were any. A starting mesh that was given may lie anywhere.
+bool bringNearBounds(GrowingNetwork &network, const Sampler &sampler, StartMesh start);
+/// The same of a network that does not grow any more.
+void bringNearBounds(NeuralMesh &mesh, const Sampler &sampler, StartMesh start);
 
 } // namespace neuralmesh

@@ -2,6 +2,7 @@
 #include "core/parallel/workers.h"
 
 #include <algorithm>
+#include <new>
 #include <system_error>
 
 namespace neuralmesh {
@@ -10,11 +11,14 @@ Workers::Workers(int threads, const Watch &watch) : watch_(watch)
 {
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const int wanted = std::min(threads > 0 ? threads : cores, mostThreads);
+    threads_.reserve(static_cast<std::size_t>(wanted));
     try {
         for (int worker = 1; worker < wanted; ++worker)
             threads_.emplace_back([this, worker] { serve(worker); });
     } catch (const std::system_error &) {
         // Those that there are do.
+    } catch (const std::bad_alloc &) {
+        // The same.
     }
 }
 

@@ -11,6 +11,9 @@ namespace {
 constexpr int bitsPerAxis = 10;
 constexpr std::uint32_t cellsPerAxis = 1U << bitsPerAxis;
 
+/// Of the cells that tell points apart where these are many: two million cells, eight megabytes.
+constexpr int mostBitsOfCells = 7;
+
 /// Spreads the lowest ten bits so that two zeros follow each.
 std::uint32_t spreadBits(std::uint32_t x)
 {
@@ -54,20 +57,20 @@ void MortonOrder::sort(const std::vector<Point> &points, std::vector<Point3> &so
         sorted[i] = toVcg(points[keyed_[i] & 0xffffffffU]);
 }
 
-std::vector<std::uint32_t> MortonOrder::indices(const std::vector<Point3> &points) const
+std::vector<std::uint32_t> MortonOrder::indices(const std::vector<Point> &points) const
 {
     int bits = 1;
-    while (bits < bitsPerAxis && (std::size_t(1) << (3 * bits)) < points.size())
+    while (bits < mostBitsOfCells && (std::size_t(1) << (3 * bits)) < points.size())
         ++bits;
     const int shift = 3 * (bitsPerAxis - bits);
     std::vector<std::uint32_t> starts((std::size_t(1) << (3 * bits)) + 1, 0);
-    for (const Point3 &p : points)
-        ++starts[(key(toPlain(p)) >> shift) + 1];
+    for (const Point &p : points)
+        ++starts[(key(p) >> shift) + 1];
     for (std::size_t i = 1; i < starts.size(); ++i)
         starts[i] += starts[i - 1];
     std::vector<std::uint32_t> indices(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-        indices[starts[key(toPlain(points[i])) >> shift]++] = static_cast<std::uint32_t>(i);
+        indices[starts[key(points[i]) >> shift]++] = static_cast<std::uint32_t>(i);
     return indices;
 }
 

@@ -19,8 +19,8 @@ public:
     void sort(const std::vector<Point> &points, std::vector<Point3> &sorted);
 
     /// Indices of the points in that order, as far as cells tell them apart that are about as many
-    /// as the points: fewer bytes, and one pass, for many points.
-    std::vector<std::uint32_t> indices(const std::vector<Point3> &points) const;
+    /// as the points, and no more than memory has room for beside these.
+    std::vector<std::uint32_t> indices(const std::vector<Point> &points) const;
 
 private:
     std::uint32_t key(const Point &point) const;

@@ -7,12 +7,17 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
+#include "neuralmesh/geometry.h"
 
 namespace neuralmesh {
 
 inline Eigen::Vector3d toEigen(const Point3 &p)
 {
     return {p.X(), p.Y(), p.Z()};
+}
+inline Eigen::Vector3d toEigen(const Point &p)
+{
+    return {p[0], p[1], p[2]};
 }
 
 /// The upper median. Requires at least one value.
@@ -31,5 +36,6 @@ struct PrincipalAxes {
 
 /// Requires at least one point.
 PrincipalAxes principalAxes(const std::vector<Point3> &points);
+PrincipalAxes principalAxes(const std::vector<Point> &points);
 
 } // namespace neuralmesh

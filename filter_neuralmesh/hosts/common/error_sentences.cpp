@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "neuralmesh/sampler_errors.h"
+#include "neuralmesh/too_little_memory.h"
 
 namespace neuralmesh {
 namespace {
@@ -66,9 +67,12 @@ std::string sentenceFor(const InvalidInput &error, const HostTerms &terms)
         return parameter->sentence(terms.parameter);
     if (const auto *start = dynamic_cast<const InvalidStartingMesh *>(&error))
         return start->sentence("The " + terms.startingMesh);
+    if (const auto *memory = dynamic_cast<const TooLittleMemory *>(&error))
+        return memory->sentence(terms.parameter);
     if (const auto *flat = dynamic_cast<const FlatTarget *>(&error);
         flat != nullptr && !flat->wasSought())
-        return "All points lie on a plane: a closed surface cannot be fitted to them. Use " +
+        return allPointsBut(flat->ignored()) +
+               " lie on a plane: a closed surface cannot be fitted to them. Use " +
                terms.learnedTopology + ", which makes a sheet of them.";
     if (const auto *density = dynamic_cast<const InvalidDensity *>(&error))
         return aboutDensity(*density, terms);

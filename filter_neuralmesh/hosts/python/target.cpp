@@ -64,8 +64,9 @@ Target pointsTarget(AnyArray points, const nb::object &density, const TypedNames
     return opened(
         [points = SharedArray(std::move(points)),
          density = optionalArray(density)](const Progress &) -> Target {
-            const std::vector<Point> copied = pointsOf(*points);
-            return {pointCloudSampler(copied, densityOf(density.get())), diagonalOf(copied)};
+            std::vector<Point> copied = pointsOf(*points);
+            const double diagonal = diagonalOf(copied);
+            return {pointCloudSampler(std::move(copied), densityOf(density.get())), diagonal};
         },
         progress, names);
 }

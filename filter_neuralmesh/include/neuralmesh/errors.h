@@ -16,16 +16,21 @@ public:
     explicit InvalidInput(const std::string &sentence) : std::runtime_error(sentence) {}
 };
 
+/// The beginning of a sentence about all points that are drawn: "All points but 3 isolated ones".
+std::string allPointsBut(std::uint64_t ignored);
+
 /// The target space lies in a plane, and a closed surface cannot be fitted to it: either none but a
 /// closed one was asked for, or no open one was found.
 class FlatTarget : public InvalidInput {
 public:
-    /// Whether a shape was sought in vain.
-    explicit FlatTarget(bool wasSought);
+    /// Whether a shape was sought in vain, and how many isolated points were ignored.
+    explicit FlatTarget(bool wasSought, std::uint64_t ignored = 0);
     bool wasSought() const { return wasSought_; }
+    std::uint64_t ignored() const { return ignored_; }
 
 private:
     bool wasSought_;
+    std::uint64_t ignored_;
 };
 
 /// The progress callback asked to stop.

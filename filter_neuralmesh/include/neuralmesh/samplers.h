@@ -19,8 +19,8 @@ namespace neuralmesh {
 
 /// A point cloud: every point with the same probability (equation 1), but for outliers, which are
 /// not drawn. Where `density` is given, one value for each point, not negative, points are drawn in
-/// proportion to it, and none is left out as an outlier.
-std::unique_ptr<Sampler> pointCloudSampler(const std::vector<Point> &points,
+/// proportion to it, and none is left out as an outlier. Points that are moved cost no more memory.
+std::unique_ptr<Sampler> pointCloudSampler(std::vector<Point> points,
                                            const std::vector<double> &density = {});
 
 /// The points of a file of binary PLY, LAS or NPY, read in place: nothing of it is kept in memory.

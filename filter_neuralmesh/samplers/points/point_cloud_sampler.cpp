@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "core/space/morton_order.h"
 #include "neuralmesh/errors.h"
@@ -59,8 +60,7 @@ std::vector<bool> withoutOutliers(const std::vector<Point> &world)
 
 } // namespace
 
-PointCloudSampler::PointCloudSampler(const std::vector<Point> &world,
-                                     const std::vector<double> &given)
+PointCloudSampler::PointCloudSampler(std::vector<Point> world, const std::vector<double> &given)
 {
     if (world.empty())
         throw InvalidInput("There are no points to reconstruct a surface from.");
@@ -68,10 +68,10 @@ PointCloudSampler::PointCloudSampler(const std::vector<Point> &world,
     requireFinite(world);
     const std::vector<bool> isKept =
         density.empty() ? withoutOutliers(world) : withDensity(density);
-    keep(world, isKept);
+    keep(std::move(world), isKept);
     if (density.empty()) {
-        outliers_.count = world.size() - points_.size();
-        outliers_.share = static_cast<double>(outliers_.count) / static_cast<double>(world.size());
+        outliers_.count = isKept.size() - points_.size();
+        outliers_.share = static_cast<double>(outliers_.count) / static_cast<double>(isKept.size());
     } else {
         std::vector<double> weights;
         std::copy_if(density.begin(), density.end(), std::back_inserter(weights),
@@ -85,8 +85,8 @@ PointCloudSampler::PointCloudSampler(const std::vector<Point> &world,
 }
 
 /// Frame and bounds are those of the points that are kept: others may lie so far off that these are
-/// next to nothing in the frame of all.
-void PointCloudSampler::keep(const std::vector<Point> &world, const std::vector<bool> &isKept)
+/// next to nothing in the frame of all. In place: clouds are large.
+void PointCloudSampler::keep(std::vector<Point> world, const std::vector<bool> &isKept)
 {
     vcg::Box3d worldBounds;
     for (std::size_t i = 0; i < world.size(); ++i)
@@ -94,17 +94,19 @@ void PointCloudSampler::keep(const std::vector<Point> &world, const std::vector<
             worldBounds.Add(toVcg(world[i]));
     frame_ = frameOf(worldBounds);
     bounds_ = Box3(toUnit(frame_, worldBounds.min), toUnit(frame_, worldBounds.max));
-    points_.reserve(world.size());
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < world.size(); ++i)
         if (isKept[i])
-            points_.push_back(toVcg(frame_.toUnit(world[i])));
+            world[kept++] = frame_.toUnit(world[i]);
+    world.resize(kept);
+    points_ = std::move(world);
 }
 
 void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Point> &samples) const
 {
     samples.resize(count);
     for (Point &sample : samples)
-        sample = toPlain(points_[drawIndex(random)]);
+        sample = points_[drawIndex(random)];
 }
 
 void PointCloudSampler::drawStratified(Random &random, const Strata &strata,
@@ -115,7 +117,7 @@ void PointCloudSampler::drawStratified(Random &random, const Strata &strata,
     samples.clear();
     const StrataOfPoints of(points_.size(), strata.count);
     for (std::size_t i = strata.first; i < strata.end; ++i)
-        samples.push_back(toPlain(points_[order_[of.draw(random, i)]]));
+        samples.push_back(points_[order_[of.draw(random, i)]]);
 }
 
 std::size_t PointCloudSampler::drawIndex(Random &random) const
@@ -127,8 +129,8 @@ std::size_t PointCloudSampler::drawIndex(Random &random) const
 std::size_t PointCloudSampler::countDistinctPoints(std::size_t enough) const
 {
     DistinctPoints distinct(std::min(enough, points_.size()));
-    for (const Point3 &p : points_) {
-        distinct.insert(p);
+    for (const Point &p : points_) {
+        distinct.insert(toVcg(p));
         if (distinct.size() >= enough)
             break;
     }

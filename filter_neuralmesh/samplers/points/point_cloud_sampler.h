@@ -14,14 +14,14 @@ namespace neuralmesh {
 /// outliers, which are not drawn and do not count for the bounds; or in proportion to a density.
 class PointCloudSampler : public Sampler {
 public:
-    /// Takes points in world coordinates. Throws InvalidInput where fewer than four are distinct,
-    /// where one is not finite, and where all lie in one place or on a line.
+    /// Takes points in world coordinates, and their memory where they are moved. Throws
+    /// InvalidInput where fewer than four are distinct, where one is not finite, and where all lie
+    /// in one place or on a line.
     ///
     /// Where `density` is given, one value for each point, not negative, points are drawn in
     /// proportion to it. It says how much each of them counts: those of density 0 are as if they
     /// were not there, and none is left out as an outlier.
-    explicit PointCloudSampler(const std::vector<Point> &world,
-                               const std::vector<double> &density = {});
+    explicit PointCloudSampler(std::vector<Point> world, const std::vector<double> &density = {});
 
     const UnitFrame &frame() const override { return frame_; }
     Box bounds() const override { return toPlain(bounds_); }
@@ -37,7 +37,7 @@ public:
     Outliers outliers() const override { return outliers_; }
 
 private:
-    void keep(const std::vector<Point> &world, const std::vector<bool> &isKept);
+    void keep(std::vector<Point> world, const std::vector<bool> &isKept);
     std::size_t drawIndex(Random &random) const;
 
     Outliers outliers_;
@@ -45,7 +45,7 @@ private:
     UnitFrame frame_;
     bool isFlat_ = false;
     Box3 bounds_;
-    std::vector<Point3> points_;       ///< in the unit frame
+    std::vector<Point> points_;        ///< in the unit frame
     std::vector<std::uint32_t> order_; ///< of these, along a Morton curve
 };
 

@@ -170,6 +170,28 @@ TEST(Growth, refuses_a_target_above_the_distinct_points_and_names_the_most)
     }
 }
 
+TEST(Growth, says_that_points_on_a_plane_are_not_all)
+{
+    test::WorldPoints points;
+    for (int i = 0; i < 900; ++i)
+        points.emplace_back(i % 30, i / 30, 0);
+    points.emplace_back(15, 15, 900);
+    const PointCloudSampler sampler(points);
+    GrowthParameters parameters;
+    parameters.targetVertexCount = 10;
+    parameters.topology = Topology::ofStart;
+    NeuralMesh mesh;
+    try {
+        grow(mesh, sampler, parameters);
+        FAIL();
+    } catch (const FlatTarget &error) {
+        EXPECT_EQ(error.ignored(), 1U);
+        EXPECT_STREQ(error.what(),
+                     "All points but 1 isolated one lie on a plane: a closed surface cannot be "
+                     "fitted to them. Learn the topology from the data.");
+    }
+}
+
 TEST(Growth, makes_as_many_vertices_as_there_are_points)
 {
     const PointCloudSampler sampler(test::spherePoints(300, 1));

@@ -164,9 +164,9 @@ _OF_GROWTH = {
         [
             ("batchPerVertexOneByOne", "0.25", "1", "signals a vertex"),
             ("consolidationRounds", "5", "20", "rounds"),
-            ("closingBatches", "2", "8", "batches"),
         ],
     ),
+    **swept(_GROWTH, LEARNED, [("closingBatches", "2", "8", "batches")]),
     **swept(_GROWTH, LEARNED, [("batchPerVertex", "1", "4", "samples a vertex")]),
     **swept(_GROWTH, LEARNED, [("shareOfSettling", "0.125", "0.5", "share of λ")]),
     **swept(_GROWTH, EDGES, [("reachOfBorder", "1", "4", "mean edges")]),
@@ -265,6 +265,10 @@ _OF_FIT = {
             ),
             ("bulge", "diagonals", "a promise; meshes of more than a few dozen vertices keep it"),
         ],
+    ),
+    **fixed(
+        "core/free_memory.cpp",
+        [("bytesPerVertex", "bytes", "what is refused follows from it, no mesh")],
     ),
     **fixed(
         "core/parameters.cpp",

@@ -115,7 +115,7 @@ GROWTH: tuple[Mutant, ...] = (
         "core/network/batch_learning.cpp",
         "std::min(mostSmoothing, gone(left, signals))",
         "gone(left, signals)",
-        ("Closing.doubles_a_sheet_to_any_count",),
+        ("OpenSurfaces.are_as_accurate_as_closed_ones",),
     ),
     Mutant(
         "batches-from-the-solid",
@@ -252,5 +252,13 @@ GROWTH: tuple[Mutant, ...] = (
         "    const Scalar margin = bulge * bounds.Diag();",
         "    const Scalar margin = 10 * bounds.Diag();",
         ("FewPoints.no_vertex_is_far_outside_the_box_of_the_points",),
+    ),
+    Mutant(
+        "growth-has-no-bounds",
+        "growth without the fit stays near the box of the points, too",
+        "core/fit/few_points.cpp",
+        "    if (start == StartMesh::given)",
+        "    if (start != StartMesh::given)",
+        ("FewPoints.no_vertex_is_far_outside_the_box_without_the_fit",),
     ),
 )

@@ -60,10 +60,9 @@ def reconstruct(
     ----------
     points
         (N, 3), float32 or float64, of any strides; other numbers are converted. They are read once
-        into a copy in double precision, 24 bytes a point, which is gone before growth starts, and
-        kept in another. Or: the path of a file, of which binary PLY, LAS and NPY are read in place,
-        without a copy; a `Cloud` that was read; a `Surface`; an `ImplicitSurface`; a
-        `ParametricSurface`; a `Sampler` of your own.
+        into a copy in double precision, 24 bytes a point. Or: the path of a file, of which binary
+        PLY, LAS and NPY are read in place, without a copy; a `Cloud` that was read; a `Surface`; an
+        `ImplicitSurface`; a `ParametricSurface`; a `Sampler` of your own.
     vertices
         Of the result: by default 5000, or half the points where there are fewer than 10,000. At
         least 4, at most the number of distinct points. Also `target_vert_num`.
