@@ -17,8 +17,6 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import IO, Any
 
-import psutil
-
 WINDOWS = sys.platform == "win32"
 PR_SET_PDEATHSIG = 1
 
@@ -109,6 +107,8 @@ def peak() -> int:
         line = next(line for line in status.splitlines() if line.startswith("VmHWM"))
         return int(line.split()[1]) * 1024
     except (OSError, StopIteration):
+        import psutil  # which the build's own Python need not have
+
         return int(psutil.Process().memory_info().rss)
 
 
