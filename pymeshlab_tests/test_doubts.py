@@ -94,7 +94,7 @@ SCRIPT = """<!DOCTYPE FilterScript>
 
 @pytest.mark.usefixtures("plugin")
 def test_a_batch_warns_of_a_shape_that_the_points_leave_open(tmp_path: Path) -> None:
-    points = np.vstack([sphere_points(3000), 0.85 * sphere_points(3000)])
+    points = np.vstack([sphere_points(3000), 0.88 * sphere_points(3000)])
     np.savetxt(tmp_path / "shells.xyz", points)
     (tmp_path / "script.mlx").write_text(SCRIPT, encoding="utf-8")
     script = ("--mlx", tmp_path / "script.mlx")

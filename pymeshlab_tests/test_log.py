@@ -67,7 +67,7 @@ def test_a_learned_topology_is_told(log: Log) -> None:
 
 
 def test_a_topology_that_the_points_leave_open_is_told(log: Log) -> None:
-    points = np.vstack([sphere_points(3000), 0.85 * sphere_points(3000)])
+    points = np.vstack([sphere_points(3000), 0.88 * sphere_points(3000)])
     line = log.of(points)
     assert "Warning: the points leave the shape open: handles or parts may be missing" in line
 

@@ -12,6 +12,8 @@ import pytest
 from documents import Points, document_of, reconstruct, sphere_points
 
 from neuralmesh_tools.isolation import IsolatedProcess
+from neuralmesh_tools.layers import load_plugin
+from neuralmesh_tools.project import PLUGIN
 from neuralmesh_tools.properties.inputs import Case, Recipe
 from neuralmesh_tools.properties.runs import by_package, by_plugin
 
@@ -83,6 +85,8 @@ def failures_within(runner: str) -> list[str]:
 
     points = sphere_points(100_000)
     asked = {"targetvertnum": 1000, "signalspersplit": 1, "topology": 0, "threads": 2}
+
+    load_plugin(PLUGIN)
 
     def run(points: Points, parameters: dict[str, object]) -> None:
         if runner == "by_plugin":

@@ -57,20 +57,21 @@ void MortonOrder::sort(const std::vector<Point> &points, std::vector<Point3> &so
         sorted[i] = toVcg(points[keyed_[i] & 0xffffffffU]);
 }
 
-std::vector<std::uint32_t> MortonOrder::indices(const std::vector<Point> &points) const
+std::vector<std::uint32_t>
+MortonOrder::indices(std::size_t count, const std::function<Point(std::size_t)> &pointAt) const
 {
     int bits = 1;
-    while (bits < mostBitsOfCells && (std::size_t(1) << (3 * bits)) < points.size())
+    while (bits < mostBitsOfCells && (std::size_t(1) << (3 * bits)) < count)
         ++bits;
     const int shift = 3 * (bitsPerAxis - bits);
     std::vector<std::uint32_t> starts((std::size_t(1) << (3 * bits)) + 1, 0);
-    for (const Point &p : points)
-        ++starts[(key(p) >> shift) + 1];
+    for (std::size_t i = 0; i < count; ++i)
+        ++starts[(key(pointAt(i)) >> shift) + 1];
     for (std::size_t i = 1; i < starts.size(); ++i)
         starts[i] += starts[i - 1];
-    std::vector<std::uint32_t> indices(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        indices[starts[key(points[i]) >> shift]++] = static_cast<std::uint32_t>(i);
+    std::vector<std::uint32_t> indices(count);
+    for (std::size_t i = 0; i < count; ++i)
+        indices[starts[key(pointAt(i)) >> shift]++] = static_cast<std::uint32_t>(i);
     return indices;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
@@ -18,9 +19,11 @@ public:
     /// `points` in that order, into `sorted`.
     void sort(const std::vector<Point> &points, std::vector<Point3> &sorted);
 
-    /// Indices of the points in that order, as far as cells tell them apart that are about as many
-    /// as the points, and no more than memory has room for beside these.
-    std::vector<std::uint32_t> indices(const std::vector<Point> &points) const;
+    /// Indices of so many points in that order, as far as cells tell them apart that are about as
+    /// many as the points, and no more than memory has room for beside these. pointAt(i) gives the
+    /// points, each twice.
+    std::vector<std::uint32_t> indices(std::size_t count,
+                                       const std::function<Point(std::size_t)> &pointAt) const;
 
 private:
     std::uint32_t key(const Point &point) const;

@@ -10,7 +10,6 @@
 #include "samplers/files/point_survey.h"
 #include "samplers/input_checks.h"
 #include "samplers/points/distinct_points.h"
-#include "samplers/points/strata_of_points.h"
 
 namespace neuralmesh {
 namespace {
@@ -84,6 +83,9 @@ try : path_(path), file_(path), records_(file_.bytes(), readPointLayout(file_.by
         if (isToBeDrawn(point))
             kept.push_back(toUnit(frame_, point));
     isFlat_ = neuralmesh::isFlat(kept, left_.count);
+    order_ = OrderOfPoints(records_.count(), bounds(), [&](std::size_t i) {
+        return frame_.toUnit(toPlain(records_.point(i)));
+    });
     if (file_.hasChanged())
         throw InvalidInput(changed);
 } catch (const InvalidInput &problem) {
@@ -175,9 +177,9 @@ void PointFileSampler::drawStratified(Random &random, const Strata &strata,
                                       std::vector<Point> &samples) const
 {
     samples.resize(strata.end - strata.first);
-    const StrataOfPoints of(records_.count(), strata.count);
     drawEach(
-        random, [&](std::size_t i) { return of.draw(random, strata.first + i); }, samples);
+        random, [&](std::size_t i) { return order_.draw(random, strata.first + i, strata.count); },
+        samples);
 }
 
 /// The records index(0), index(1), ...

@@ -8,6 +8,7 @@
 #include "neuralmesh/sampler.h"
 #include "samplers/files/mapped_file.h"
 #include "samplers/files/point_layout.h"
+#include "samplers/points/order_of_points.h"
 #include "samplers/points/outlier_filter.h"
 
 namespace neuralmesh {
@@ -29,7 +30,7 @@ public:
     bool isFlat() const override { return isFlat_; }
     /// Throws InvalidPointFile where the file has been changed since it was opened.
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
-    /// Strata are of records that follow each other in the file.
+    /// Strata are of records that are near each other, or of very many follow each other.
     void drawStratified(Random &random, const Strata &strata,
                         std::vector<Point> &samples) const override;
     std::size_t pointCount() const override;
@@ -58,6 +59,7 @@ private:
     UnitFrame frame_;
     bool isFlat_ = false;
     Box3 bounds_;
+    OrderOfPoints order_;
     OutlierFilter filter_;
     bool judgesEach_ = false; ///< whether outliers are among the points within the bounds
     vcg::Box3d drawn_;        ///< in the world: no point is drawn outside

@@ -5,12 +5,10 @@
 #include <iterator>
 #include <utility>
 
-#include "core/space/morton_order.h"
 #include "neuralmesh/errors.h"
 #include "samplers/input_checks.h"
 #include "samplers/points/distinct_points.h"
 #include "samplers/points/outlier_filter.h"
-#include "samplers/points/strata_of_points.h"
 
 namespace neuralmesh {
 namespace {
@@ -80,7 +78,7 @@ PointCloudSampler::PointCloudSampler(std::vector<Point> world, const std::vector
     }
     requireFourPoints(countDistinctPoints(4));
     if (!byDensity_)
-        order_ = MortonOrder(bounds()).indices(points_);
+        order_ = OrderOfPoints(points_.size(), bounds(), [&](std::size_t i) { return points_[i]; });
     isFlat_ = neuralmesh::isFlat(points_, outliers_.count);
 }
 
@@ -115,9 +113,8 @@ void PointCloudSampler::drawStratified(Random &random, const Strata &strata,
     if (byDensity_)
         return draw(random, strata.end - strata.first, samples);
     samples.clear();
-    const StrataOfPoints of(points_.size(), strata.count);
     for (std::size_t i = strata.first; i < strata.end; ++i)
-        samples.push_back(points_[order_[of.draw(random, i)]]);
+        samples.push_back(points_[order_.draw(random, i, strata.count)]);
 }
 
 std::size_t PointCloudSampler::drawIndex(Random &random) const

@@ -7,6 +7,7 @@
 #include "core/space/alias_table.h"
 #include "core/space/plain_points.h"
 #include "neuralmesh/sampler.h"
+#include "samplers/points/order_of_points.h"
 
 namespace neuralmesh {
 
@@ -27,8 +28,7 @@ public:
     Box bounds() const override { return toPlain(bounds_); }
     bool isFlat() const override { return isFlat_; }
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
-    /// Strata are of points that follow each other on a Morton curve; where a density is given,
-    /// there are none.
+    /// Strata are of points that are near each other; where a density is given, there are none.
     void drawStratified(Random &random, const Strata &strata,
                         std::vector<Point> &samples) const override;
     std::size_t pointCount() const override { return points_.size(); }
@@ -45,8 +45,8 @@ private:
     UnitFrame frame_;
     bool isFlat_ = false;
     Box3 bounds_;
-    std::vector<Point> points_;        ///< in the unit frame
-    std::vector<std::uint32_t> order_; ///< of these, along a Morton curve
+    std::vector<Point> points_; ///< in the unit frame
+    OrderOfPoints order_;
 };
 
 } // namespace neuralmesh

@@ -39,17 +39,21 @@ TEST(PointFileSampler, draws_what_the_same_points_in_memory_give)
     EXPECT_EQ(test::drawWorld(inFile, 7, 20000), test::drawWorld(inMemory, 7, 20000));
 }
 
-TEST(PointFileSampler, draws_each_record_once_of_as_many_strata_in_their_order)
+TEST(PointFileSampler, draws_of_strata_what_the_same_points_in_memory_give)
 {
     const test::WorldPoints points = test::spherePoints(400, 1);
     const TemporaryFile file(test::npyOf<double>(points));
-    const PointFileSampler sampler(file.path());
-    Random random(1);
-    std::vector<Point> drawn;
-    sampler.drawStratified(random, {400, 0, 400}, drawn);
-    ASSERT_EQ(drawn.size(), 400U);
-    for (std::size_t i = 0; i < drawn.size(); ++i)
-        EXPECT_EQ(toVcg(drawn[i]), toUnit(sampler.frame(), points[i]));
+    const PointFileSampler fromFile(file.path());
+    const PointCloudSampler fromMemory(points);
+    for (const std::size_t strata : {100U, 400U, 900U}) {
+        Random random(1);
+        Random same(1);
+        std::vector<Point> drawn;
+        std::vector<Point> expected;
+        fromFile.drawStratified(random, {strata, 0, strata}, drawn);
+        fromMemory.drawStratified(same, {strata, 0, strata}, expected);
+        EXPECT_EQ(drawn, expected);
+    }
 }
 
 TEST(PointFileSampler, has_the_points_that_it_looked_at_in_time)

@@ -30,9 +30,9 @@ GROWTH: tuple[Mutant, ...] = (
     Mutant(
         "strata-of-any-points",
         "strata are of points that are near each other",
-        "samplers/points/point_cloud_sampler.cpp",
-        "points_[order_[of.draw(random, i)]]",
-        "points_[of.draw(random, i)]",
+        "samplers/points/order_of_points.h",
+        "order_.empty() ? index",
+        "true ? index",
         ("PointCloudSampler.strata_cover_the_surface_more_evenly_than_independent_samples",),
     ),
     Mutant(
