@@ -30,9 +30,9 @@ GROWTH: tuple[Mutant, ...] = (
     Mutant(
         "strata-of-any-points",
         "strata are of points that are near each other",
-        "samplers/points/order_of_points.h",
-        "order_.empty() ? index",
-        "true ? index",
+        "core/space/morton_order.cpp",
+        "indices[starts[key(pointAt(i)) >> shift]++]",
+        "indices[i]",
         ("PointCloudSampler.strata_cover_the_surface_more_evenly_than_independent_samples",),
     ),
     Mutant(
@@ -115,7 +115,7 @@ GROWTH: tuple[Mutant, ...] = (
         "core/network/batch_learning.cpp",
         "std::min(mostSmoothing, gone(left, signals))",
         "gone(left, signals)",
-        ("OpenSurfaces.are_as_accurate_as_closed_ones",),
+        ("BatchOnSquare.its_neighbours_are_smoothed_once_for_all_that_it_wins",),
     ),
     Mutant(
         "batches-from-the-solid",
