@@ -38,9 +38,8 @@ constexpr double batchPerVertexOneByOne = 0.5;
 /// The border of an open one is not.
 constexpr double shareOfSettling = 0.25;
 
-/// A vertex on the border of the data learns from samples up to so many mean edges away. What is
-/// further, the start would hold if it were of the surface; vertices that follow a few strays
-/// stretch a flap to them.
+/// A vertex on the border of the data learns from samples up to so many mean edges away. The start
+/// would hold what is further; vertices that follow a few strays stretch a flap to them.
 constexpr Scalar reachOfBorder = 2;
 
 /// Share of the time until growth ends; the fit takes the rest.

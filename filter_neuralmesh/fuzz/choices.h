@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "neuralmesh/errors.h"
+
 namespace neuralmesh::fuzz {
 
 /// Once the bytes are used up, every choice is the first.
@@ -50,6 +52,18 @@ inline void require(bool holds, const std::string &promise)
 {
     if (!holds)
         throw std::logic_error(promise);
+}
+
+/// Runs a target, which may refuse its input by a sentence.
+template <class Run> int refusingOrNot(const Run &run)
+{
+    try {
+        run();
+    } catch (const InvalidInput &refusal) {
+        require(refusal.what()[0] != '\0', "a sentence");
+    } catch (const Cancelled &) { // it took too long
+    }
+    return 0;
 }
 
 } // namespace neuralmesh::fuzz

@@ -39,9 +39,9 @@ std::uint32_t MortonOrder::key(const Point &point) const
     std::uint32_t key = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Scalar cell = (point[axis] - origin_[axis]) * cellsPerUnit_;
-        const auto clamped =
-            static_cast<std::uint32_t>(std::clamp(cell, Scalar(0), Scalar(cellsPerAxis - 1)));
-        key |= spreadBits(clamped) << axis;
+        // A point of a file that is written to meanwhile may be no number.
+        const Scalar within = cell > 0 ? std::min(cell, Scalar(cellsPerAxis - 1)) : 0;
+        key |= spreadBits(static_cast<std::uint32_t>(within)) << axis;
     }
     return key;
 }

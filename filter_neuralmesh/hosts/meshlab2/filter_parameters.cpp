@@ -44,20 +44,7 @@ std::vector<int> snapshotCounts(const QString &text)
 
 std::string idOf(Parameter parameter)
 {
-    switch (parameter) {
-    case Parameter::targetVertexCount: return "targetVertNum";
-    case Parameter::winnerRate: return "winnerRate";
-    case Parameter::smoothingRate: return "smoothingRate";
-    case Parameter::smoothingPasses: return "smoothingPasses";
-    case Parameter::signalsPerSplit: return "signalsPerSplit";
-    case Parameter::inactivityFactor: return "inactivityFactor";
-    case Parameter::threads: return "threads";
-    case Parameter::counterDecay: return "counterDecay";
-    case Parameter::snapshots: return "snapshots";
-    case Parameter::maxHoleSize: return "maxHoleSize";
-    case Parameter::timeLimit: return "timeLimit";
-    }
-    return {};
+    return parameter == Parameter::targetVertexCount ? "targetVertNum" : nameOf(parameter);
 }
 
 std::string rangeEnd(char variable, bool isUpper)

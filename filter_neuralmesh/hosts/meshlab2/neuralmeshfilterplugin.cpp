@@ -24,17 +24,7 @@ namespace {
 
 using MakeTarget = std::function<TargetSpace(const Progress &opening)>;
 
-QVariant toVariant(int value)
-{
-    return value;
-}
-
-QVariant toVariant(bool value)
-{
-    return value;
-}
-
-QVariant toVariant(double value)
+template <class T> QVariant toVariant(const T &value)
 {
     return value;
 }

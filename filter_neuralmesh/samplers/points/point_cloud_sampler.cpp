@@ -67,18 +67,18 @@ PointCloudSampler::PointCloudSampler(std::vector<Point> world, const std::vector
     const std::vector<bool> isKept =
         density.empty() ? withoutOutliers(world) : withDensity(density);
     keep(std::move(world), isKept);
+    std::vector<double> weights;
     if (density.empty()) {
         outliers_.count = isKept.size() - points_.size();
         outliers_.share = static_cast<double>(outliers_.count) / static_cast<double>(isKept.size());
     } else {
-        std::vector<double> weights;
         std::copy_if(density.begin(), density.end(), std::back_inserter(weights),
                      [](double value) { return value > 0; });
         byDensity_.emplace(weights);
     }
     requireFourPoints(countDistinctPoints(4));
-    if (!byDensity_)
-        order_ = OrderOfPoints(points_.size(), bounds(), [&](std::size_t i) { return points_[i]; });
+    const auto pointAt = [&](std::size_t i) { return points_[i]; };
+    order_ = OrderOfPoints(points_.size(), bounds(), pointAt, weights);
     isFlat_ = neuralmesh::isFlat(points_, outliers_.count);
 }
 
@@ -110,8 +110,6 @@ void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Poin
 void PointCloudSampler::drawStratified(Random &random, const Strata &strata,
                                        std::vector<Point> &samples) const
 {
-    if (byDensity_)
-        return draw(random, strata.end - strata.first, samples);
     samples.clear();
     for (std::size_t i = strata.first; i < strata.end; ++i)
         samples.push_back(points_[order_.draw(random, i, strata.count)]);

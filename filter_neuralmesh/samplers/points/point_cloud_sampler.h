@@ -28,7 +28,7 @@ public:
     Box bounds() const override { return toPlain(bounds_); }
     bool isFlat() const override { return isFlat_; }
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
-    /// Strata are of points that are near each other; where a density is given, there are none.
+    /// Strata are of points that are near each other.
     void drawStratified(Random &random, const Strata &strata,
                         std::vector<Point> &samples) const override;
     std::size_t pointCount() const override { return points_.size(); }

@@ -124,16 +124,14 @@ TEST(PointCloudSampler, strata_in_parts_are_those_of_the_whole)
     EXPECT_EQ(first, whole);
 }
 
-TEST(PointCloudSampler, has_no_strata_where_a_density_is_given)
+TEST(PointCloudSampler, strata_have_the_same_share_of_the_density)
 {
-    const PointCloudSampler sampler({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}},
-                                    {1, 1, 1, 1, 0});
-    Random random(1);
-    std::vector<Point> drawn;
-    sampler.drawStratified(random, {1000, 0, 1000}, drawn);
-    ASSERT_EQ(drawn.size(), 1000U);
-    for (const Point &sample : drawn) // not (1, 1, 1)
-        EXPECT_LT((toWorld(sampler.frame(), toVcg(sample)) * vcg::Point3d(1, 1, 1)), 1.5);
+    const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+    const PointCloudSampler sampler(points, {1, 2, 3, 4, 0});
+    const std::vector<int> times = timesDrawn(sampler, points, 1000);
+    for (int i = 0; i < 4; ++i)
+        EXPECT_NEAR(times[static_cast<std::size_t>(i)], 100 * (i + 1), 2);
+    EXPECT_EQ(times[4], 0);
 }
 
 TEST(PointCloudSampler, the_unit_frame_is_centred_with_unit_diagonal)

@@ -36,6 +36,14 @@ GROWTH: tuple[Mutant, ...] = (
         ("PointCloudSampler.strata_cover_the_surface_more_evenly_than_independent_samples",),
     ),
     Mutant(
+        "strata-without-density",
+        "strata weigh the same where points have a density",
+        "samplers/points/point_cloud_sampler.cpp",
+        "pointAt, weights)",
+        "pointAt)",
+        ("PointCloudSampler.strata_have_the_same_share_of_the_density",),
+    ),
+    Mutant(
         "no-closing-batches",
         "the latest vertices find their places before the fit",
         "core/growth.cpp",
