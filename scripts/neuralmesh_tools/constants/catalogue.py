@@ -166,16 +166,7 @@ _OF_GROWTH = {
             ("consolidationRounds", "5", "20", "rounds"),
         ],
     ),
-    **fixed(
-        _GROWTH,
-        [
-            (
-                "closingBatches",
-                "batches",
-                "with none: RMS 1.07 to the mesh, 1.03 to the surface where clean, 1.00 in noise",
-            )
-        ],
-    ),
+    **swept(_GROWTH, LEARNED, [("closingBatches", "2", "8", "batches")]),
     **swept(_GROWTH, LEARNED, [("batchPerVertex", "1", "4", "samples a vertex")]),
     **swept(_GROWTH, LEARNED, [("shareOfSettling", "0.125", "0.5", "share of λ")]),
     **swept(_GROWTH, EDGES, [("reachOfBorder", "1", "4", "mean edges")]),
