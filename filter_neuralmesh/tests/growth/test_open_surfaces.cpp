@@ -93,8 +93,7 @@ Figures measure(const NeuralMesh &mesh, GrowingNetwork &network, const Surface &
     int uncovered = 0;
     double squares = 0;
     for (const Point3 &sample : samples) {
-        const StarProjection p =
-            network.locator().projectExactly(network.nearestVertex(sample), sample);
+        const StarProjection p = locator.projectExactly(network.nearestVertex(sample), sample);
         if (!liesOnBoundary(mesh, p)) {
             ++inside;
             squares += p.squaredDistance;
