@@ -30,9 +30,8 @@ int Closing::close()
     const std::vector<VertexId> sheets = sheets_.vertices();
     unfold(network_, sheets);
     network_.closeSheets(sheets);
-    const RimNeighbours rim(network_.mesh());
     holesFilled_ = network_.closeBoundaries();
-    return smoothRim(network_, rim);
+    return smoothIntersections(network_);
 }
 
 } // namespace neuralmesh

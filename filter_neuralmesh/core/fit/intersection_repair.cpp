@@ -14,10 +14,31 @@ constexpr int roundsOfSmoothing = 20;
 /// Times a vertex is moved alone, before its neighbours are moved with it.
 constexpr int timesAlone = 4;
 
+/// The vertices before and after each one on a boundary, along it; of others, noVertex.
+class RimNeighbours {
+public:
+    explicit RimNeighbours(const NeuralMesh &mesh) : before_(mesh, noVertex), after_(mesh, noVertex)
+    {
+        forEachVertex(mesh, [&](VertexId v) {
+            if (!mesh.isOnBoundary(v))
+                return;
+            before_[v] = previousOnBoundary(mesh, v);
+            after_[v] = nextOnBoundary(mesh, v);
+        });
+    }
+
+    bool isOnRim(VertexId v) const { return before_[v] != noVertex; }
+    VertexId before(VertexId v) const { return before_[v]; }
+    VertexId after(VertexId v) const { return after_[v]; }
+
+private:
+    VertexData<VertexId> before_, after_;
+};
+
 class IntersectionRepair {
 public:
-    IntersectionRepair(GrowingNetwork &network, const RimNeighbours &rim)
-        : network_(network), mesh_(network.mesh()), rim_(rim), moved_(mesh_)
+    explicit IntersectionRepair(GrowingNetwork &network)
+        : network_(network), mesh_(network.mesh()), rim_(mesh_), moved_(mesh_)
     {
     }
 
@@ -46,14 +67,6 @@ public:
                 return folded;
             },
             [&](VertexId v) { moveToMiddle(v); });
-    }
-
-    int smoothRim()
-    {
-        return repeatForIntersections(roundsOfSmoothing, [&](VertexId v) {
-            if (rim_.isOnRim(v))
-                moveToMiddle(v);
-        });
     }
 
 private:
@@ -110,44 +123,27 @@ private:
 
     GrowingNetwork &network_;
     const NeuralMesh &mesh_;
-    const RimNeighbours &rim_;
+    const RimNeighbours rim_;
     VertexData<int> moved_; ///< how often
 };
 
 } // namespace
 
-RimNeighbours::RimNeighbours(const NeuralMesh &mesh)
-    : before_(mesh, noVertex), after_(mesh, noVertex)
-{
-    forEachVertex(mesh, [&](VertexId v) {
-        if (!mesh.isOnBoundary(v))
-            return;
-        before_[v] = previousOnBoundary(mesh, v);
-        after_[v] = nextOnBoundary(mesh, v);
-    });
-}
-
 int repairIntersections(GrowingNetwork &network, const VertexData<Point3> &before)
 {
-    const RimNeighbours rim(network.mesh());
-    IntersectionRepair repair(network, rim);
+    IntersectionRepair repair(network);
     const int left = repair.restore(before);
     return left == 0 || network.workers().watch().isTimeUp() ? left : repair.smooth();
 }
 
 void unfold(GrowingNetwork &network, const std::vector<VertexId> &sheet)
 {
-    const RimNeighbours rim(network.mesh());
-    IntersectionRepair(network, rim).unfold(sheet);
+    IntersectionRepair(network).unfold(sheet);
 }
 
-int smoothRim(GrowingNetwork &network, const RimNeighbours &rim)
+int smoothIntersections(GrowingNetwork &network)
 {
-    const int left = IntersectionRepair(network, rim).smoothRim();
-    if (left == 0 || network.workers().watch().isTimeUp())
-        return left;
-    const RimNeighbours none(network.mesh()); // which is closed
-    return IntersectionRepair(network, none).smooth();
+    return IntersectionRepair(network).smooth();
 }
 
 } // namespace neuralmesh
