@@ -87,6 +87,8 @@ constexpr double shareOfSheet = 0.5;
 /// Around a point, so far the two sides of a plate are looked for, in cells: further than the flood
 /// passes through.
 constexpr double sidesInCells = 2;
+/// Sides that are nearer, in cells of the usual grid, are not told apart by any grid.
+constexpr double thinnestPlate = 1;
 
 /// The level is at the least this: a field that stays below it around some points does not tell
 /// inside from outside there.
@@ -254,7 +256,8 @@ private:
         // A finer grid does not look as far around a point, and may see one side at a time.
         const bool isKnownPlate = isPlate_ && spacing() <= widestSpacing;
         if (!isSheet_ && !isKnownPlate && flood.doubledShare() > shareOfSheet) {
-            isPlate_ = haveTwoSides(index_, sidesInCells / resolution());
+            isPlate_ =
+                haveTwoSides(index_, sidesInCells / resolution(), thinnestPlate / usualCells);
             isSheet_ = !isPlate_;
         }
         if (isSheet_)

@@ -6,10 +6,9 @@
 
 namespace neuralmesh {
 
-/// Whether the points lie on two sides of a wall that is thinner than the radius. Around most of
-/// them, then, the heights above the best quadric (of x, y, x², xy, y²) have two peaks. Their
-/// kurtosis is near 1, of a uniform distribution 1.8, of noise 3 (Darlington: Is kurtosis really
-/// "peakedness"?, The American Statistician 1970).
-bool haveTwoSides(const PointIndex &index, double radius);
+/// Whether the points lie on two sides of a wall that is thinner than the radius, and at least that
+/// thick. Around most of them, then, the heights above the best quadric (of x, y, x², xy, y²) have
+/// two peaks. Noise has one, and so has the rounding of coordinates, which is uniform.
+bool haveTwoSides(const PointIndex &index, double radius, double leastThickness);
 
 } // namespace neuralmesh

@@ -192,6 +192,44 @@ TEST(CoarseShape, knows_an_open_sheet)
     EXPECT_EQ(shape.missedShare, 0);
 }
 
+/// As scanners and file formats leave them.
+TEST(CoarseShape, of_a_plane_of_rounded_coordinates_is_a_sheet)
+{
+    for (const double unit : {1e-4, 1e-3, 3e-3}) {
+        Random random(1);
+        test::Points points;
+        for (int i = 0; i < 20000; ++i) {
+            const double x = random.unit();
+            const double y = random.unit();
+            points.emplace_back(x, y, unit * std::round((0.1 * x + 0.05 * y) / unit));
+        }
+        NeuralMesh mesh;
+        const CoarseShape shape = shapeOf(points, mesh);
+        EXPECT_TRUE(shape.isTrusted) << unit;
+        EXPECT_TRUE(shape.isSheet) << unit;
+        EXPECT_EQ(shape.genus, 0) << unit;
+    }
+}
+
+/// Whose two sides no grid has a node between.
+TEST(CoarseShape, of_a_plate_thinner_than_a_cell_is_a_sheet)
+{
+    for (const double thickness : {0.007, 0.009}) {
+        Random random(1);
+        test::Points points;
+        for (int i = 0; i < 100000; ++i) {
+            const double x = random.unit();
+            const double y = random.unit();
+            const double side = random.unit() < 0.5 ? 0.5 : -0.5;
+            points.emplace_back(x, y, 0.2 * std::sin(3 * x) * y + side * thickness);
+        }
+        NeuralMesh mesh;
+        const CoarseShape shape = shapeOf(points, mesh);
+        EXPECT_TRUE(shape.isTrusted) << thickness;
+        EXPECT_TRUE(shape.isSheet) << thickness;
+    }
+}
+
 TEST(CoarseShape, knows_a_sheet_whose_sides_are_nearer_than_a_cell)
 {
     // Without the common lean of the first normals, it has a handle, and is not trusted.

@@ -28,20 +28,64 @@ test::Points plate(double thickness, double noise, int count = 8000)
 
 constexpr double radius = 2.6 / 32; // two cells of the first grid around the square
 
+bool haveTwoSides(const test::Points &points, double leastThickness = 0)
+{
+    return neuralmesh::haveTwoSides(points, radius, leastThickness);
+}
+
 TEST(TwoSides, of_a_plate_are_found_as_long_as_noise_is_less_than_half_their_distance)
 {
-    for (const double thickness : {0.01, 0.02, 0.04})
+    for (const double thickness : {0.015, 0.02, 0.04})
         for (const double noise : {0.0, 0.12, 0.25})
-            EXPECT_TRUE(haveTwoSides(plate(thickness, noise * thickness), radius))
+            EXPECT_TRUE(haveTwoSides(plate(thickness, noise * thickness, 30000)))
                 << thickness << " " << noise;
-    EXPECT_FALSE(haveTwoSides(plate(0.02, 0.02), radius));
+    EXPECT_FALSE(haveTwoSides(plate(0.03, 0.03, 30000)));
 }
 
 TEST(TwoSides, of_a_sheet_there_are_none_whatever_its_noise)
 {
     for (const double noise : {0.0, 0.001, 0.005, 0.02})
-        EXPECT_FALSE(haveTwoSides(plate(0, noise), radius)) << noise;
-    EXPECT_FALSE(haveTwoSides(plate(0, 0.01, 1500), radius));
+        EXPECT_FALSE(haveTwoSides(plate(0, noise))) << noise;
+    EXPECT_FALSE(haveTwoSides(plate(0, 0.01, 1500)));
+}
+
+TEST(TwoSides, of_a_plane_of_rounded_coordinates_there_are_none)
+{
+    for (const double unit : {1e-15, 1e-8, 1e-4, 0.03})
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+            Random random(seed);
+            test::Points points;
+            for (int i = 0; i < 60000; ++i) {
+                const double x = random.unit();
+                const double y = random.unit();
+                points.emplace_back(x, y, unit * std::round((x + 0.5 * y) / unit));
+            }
+            EXPECT_FALSE(haveTwoSides(points)) << unit;
+        }
+}
+
+/// A uniform distribution is the one most like two peaks.
+TEST(TwoSides, of_heights_with_one_peak_there_are_none)
+{
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        Random random(seed);
+        test::Points points;
+        for (int i = 0; i < 60000; ++i) {
+            const double x = random.unit();
+            const double y = random.unit();
+            points.emplace_back(x, y, 0.03 * random.unit());
+        }
+        EXPECT_FALSE(haveTwoSides(points)) << seed;
+    }
+}
+
+TEST(TwoSides, that_are_too_near_are_none)
+{
+    const test::Points thin = plate(0.01, 0, 60000);
+    EXPECT_TRUE(haveTwoSides(thin, 0.009));
+    EXPECT_FALSE(haveTwoSides(thin, 0.011));
+    // 1.6 spacings
+    EXPECT_FALSE(haveTwoSides(plate(0.01, 0, 25000)));
 }
 
 TEST(TwoSides, of_points_on_a_plane_or_too_few_to_tell_there_are_none)
@@ -50,8 +94,8 @@ TEST(TwoSides, of_points_on_a_plane_or_too_few_to_tell_there_are_none)
     Random random(1);
     for (int i = 0; i < 3000; ++i)
         flat.emplace_back(random.unit(), random.unit(), 0);
-    EXPECT_FALSE(haveTwoSides(flat, radius));
-    EXPECT_FALSE(haveTwoSides(plate(0.02, 0, 300), radius));
+    EXPECT_FALSE(haveTwoSides(flat));
+    EXPECT_FALSE(haveTwoSides(plate(0.2, 0, 200)));
 }
 
 } // namespace

@@ -96,10 +96,10 @@ CLOSING: tuple[Mutant, ...] = (
     ),
     Mutant(
         "ragged-rims",
-        "a rim that a disc crosses is smoothed",
-        "core/fit/intersection_repair.cpp",
-        "            if (rim_.isOnRim(v))\n                moveToMiddle(v);",
-        "",
+        "what the disc over a ragged border crosses is smoothed",
+        "core/closing.cpp",
+        "return smoothIntersections(network_);",
+        "return network_.findSelfIntersections().faces;",
         ("Closing.discs_over_a_ragged_border_cross_nothing",),
     ),
     Mutant(

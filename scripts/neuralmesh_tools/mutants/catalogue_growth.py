@@ -52,14 +52,6 @@ GROWTH: tuple[Mutant, ...] = (
         ("Growth.by_batches_ends_where_the_latest_vertices_have_found_their_places",),
     ),
     Mutant(
-        "rim-alone",
-        "where a rim touches itself, the vertices around it are smoothed too",
-        "core/fit/intersection_repair.cpp",
-        "    return IntersectionRepair(network, none).smooth();",
-        "    return left;",
-        ("Closing.discs_over_a_ragged_border_cross_nothing",),
-    ),
-    Mutant(
         "signals-count-one",
         "signals count by the distance of their samples",
         _NETWORK,
@@ -131,7 +123,7 @@ GROWTH: tuple[Mutant, ...] = (
         "core/network/growing_network.h",
         "return rules_.learnsByBatches && limbsAreWhole_;",
         "return rules_.learnsByBatches;",
-        ("Shapes.a_scan_of_one_side_keeps_its_points_on_the_mesh",),
+        ("Growth.learns_from_strata_by_batches_and_from_independent_samples_one_by_one",),
     ),
     Mutant(
         "starts-settle-as-long",
