@@ -43,7 +43,10 @@ SHAPE: tuple[Mutant, ...] = (
         "core/shape/two_sides.cpp",
         "std::max(leastThickness, thinnestInSpacings * spacing)",
         "thinnestInSpacings * spacing",
-        ("TwoSides.that_are_too_near_are_none", "CoarseShape.of_a_plate_thinner_than_a_cell_is_a_sheet"),
+        (
+            "TwoSides.that_are_too_near_are_none",
+            "CoarseShape.of_a_plate_thinner_than_a_cell_is_a_sheet",
+        ),
     ),
     Mutant(
         "sides-of-any-spacing",
