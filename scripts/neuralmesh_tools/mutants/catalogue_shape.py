@@ -17,8 +17,8 @@ SHAPE: tuple[Mutant, ...] = (
         "plates-are-sheets",
         "a plate with points on both sides is no open sheet",
         "core/shape/coarse_shape.cpp",
-        "isPlate_ = haveTwoSides(index_, sidesInCells / resolution());",
-        "isPlate_ = false;",
+        "isSheet_ = !isPlate_;",
+        "isSheet_ = true;",
         ("CoarseShape.of_a_thin_plate_is_no_sheet",),
     ),
     Mutant(
