@@ -254,8 +254,7 @@ private:
         const OutsideFlood flood(insideness(), points_,
                                  std::max(crustOfCells, crustOfSpacings * spacing()));
         // A finer grid does not look as far around a point, and may see one side at a time.
-        const bool isKnownPlate = isPlate_ && spacing() <= widestSpacing;
-        if (!isSheet_ && !isKnownPlate && flood.doubledShare() > shareOfSheet) {
+        if (!isSheet_ && !isPlate_ && flood.doubledShare() > shareOfSheet) {
             isPlate_ =
                 haveTwoSides(index_, sidesInCells / resolution(), thinnestPlate / usualCells);
             isSheet_ = !isPlate_;

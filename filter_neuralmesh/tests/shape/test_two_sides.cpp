@@ -42,6 +42,19 @@ TEST(TwoSides, of_a_plate_are_found_as_long_as_noise_is_less_than_half_their_dis
     EXPECT_FALSE(haveTwoSides(plate(0.03, 0.03, 30000)));
 }
 
+/// In a half turn, whose sag within the radius is twice its thickness.
+TEST(TwoSides, of_a_bent_plate_are_found)
+{
+    Random random(1);
+    test::Points points;
+    for (int i = 0; i < 60000; ++i) {
+        const double angle = M_PI * random.unit();
+        const double r = 0.12 + (i % 2 == 0 ? 0.0075 : -0.0075);
+        points.emplace_back(r * std::cos(angle), r * std::sin(angle), random.unit());
+    }
+    EXPECT_TRUE(haveTwoSides(points));
+}
+
 TEST(TwoSides, of_a_sheet_there_are_none_whatever_its_noise)
 {
     for (const double noise : {0.0, 0.001, 0.005, 0.02})

@@ -27,7 +27,7 @@ SHAPE: tuple[Mutant, ...] = (
         "core/shape/two_sides.cpp",
         "terms.row(i) << 1, x, y, x * x, x * y, y * y;",
         "terms.row(i) << 1, x, y, 0, 0, 0;",
-        ("CoarseShape.knows_a_sheet_whose_sides_are_nearer_than_a_cell",),
+        ("TwoSides.of_a_bent_plate_are_found",),
     ),
     Mutant(
         "rounding-tells-sides",
@@ -206,17 +206,9 @@ SHAPE: tuple[Mutant, ...] = (
         "plates-become-sheets",
         "a plate stays one on finer grids, which do not look as far around a point",
         _SHAPE,
-        "if (!isSheet_ && !isKnownPlate && flood",
-        "if (!isSheet_ && !(isKnownPlate && false) && flood",
+        "if (!isSheet_ && !isPlate_ && flood",
+        "if (!isSheet_ && flood",
         ("CoarseShape.of_a_wedge_is_no_sheet_where_a_fine_grid_sees_one_side_at_a_time",),
-    ),
-    Mutant(
-        "sparse-plates-stay",
-        "a plate whose points are too sparse for the finer grid is closed as a sheet",
-        _SHAPE,
-        "isPlate_ && spacing() <= widestSpacing",
-        "isPlate_ && spacing() <= 1e9 * widestSpacing",
-        ("CoarseShape.knows_a_sheet_whose_sides_are_nearer_than_a_cell",),
     ),
     Mutant(
         "noise-is-resolved",
