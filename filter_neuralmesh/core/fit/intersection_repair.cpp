@@ -14,31 +14,10 @@ constexpr int roundsOfSmoothing = 20;
 /// Times a vertex is moved alone, before its neighbours are moved with it.
 constexpr int timesAlone = 4;
 
-/// The vertices before and after each one on a boundary, along it; of others, noVertex.
-class RimNeighbours {
-public:
-    explicit RimNeighbours(const NeuralMesh &mesh) : before_(mesh, noVertex), after_(mesh, noVertex)
-    {
-        forEachVertex(mesh, [&](VertexId v) {
-            if (!mesh.isOnBoundary(v))
-                return;
-            before_[v] = previousOnBoundary(mesh, v);
-            after_[v] = nextOnBoundary(mesh, v);
-        });
-    }
-
-    bool isOnRim(VertexId v) const { return before_[v] != noVertex; }
-    VertexId before(VertexId v) const { return before_[v]; }
-    VertexId after(VertexId v) const { return after_[v]; }
-
-private:
-    VertexData<VertexId> before_, after_;
-};
-
 class IntersectionRepair {
 public:
     explicit IntersectionRepair(GrowingNetwork &network)
-        : network_(network), mesh_(network.mesh()), rim_(mesh_), moved_(mesh_)
+        : network_(network), mesh_(network.mesh()), moved_(mesh_)
     {
     }
 
@@ -110,11 +89,13 @@ private:
         network_.moveVertex(v, (mesh_.position(v) + middleOfNeighbours(v)) / 2);
     }
 
-    /// On the rim, of those along it.
+    /// On a boundary, of those along it.
     Point3 middleOfNeighbours(VertexId v) const
     {
-        if (rim_.isOnRim(v))
-            return (mesh_.position(rim_.before(v)) + mesh_.position(rim_.after(v))) / 2;
+        if (mesh_.isOnBoundary(v))
+            return (mesh_.position(previousOnBoundary(mesh_, v)) +
+                    mesh_.position(nextOnBoundary(mesh_, v))) /
+                   2;
         Point3 sum(0, 0, 0);
         for (const VertexId u : mesh_.ring(v))
             sum += mesh_.position(u);
@@ -123,7 +104,6 @@ private:
 
     GrowingNetwork &network_;
     const NeuralMesh &mesh_;
-    const RimNeighbours rim_;
     VertexData<int> moved_; ///< how often
 };
 

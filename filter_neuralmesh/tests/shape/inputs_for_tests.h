@@ -192,4 +192,17 @@ Points latticePoints(std::size_t count, int size, const IsSolid &isSolid, std::u
     return points;
 }
 
+/// Over the unit square, at heights height(x, y, random).
+template <class Height> Points pointsOverSquare(int count, std::uint64_t seed, Height height)
+{
+    Random random(seed);
+    Points points;
+    for (int i = 0; i < count; ++i) {
+        const double x = random.unit();
+        const double y = random.unit();
+        points.emplace_back(x, y, height(x, y, random));
+    }
+    return points;
+}
+
 } // namespace neuralmesh::test

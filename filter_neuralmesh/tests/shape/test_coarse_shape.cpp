@@ -65,14 +65,8 @@ TEST(CoarseShape, of_a_thin_plate_is_no_sheet)
 /// A square with a wave in it, of side 1.
 test::Points sheet()
 {
-    Random random(1);
-    test::Points points;
-    for (int i = 0; i < 3000; ++i) {
-        const double x = random.unit();
-        const double y = random.unit();
-        points.emplace_back(x, y, 0.2 * std::sin(3 * x) * y);
-    }
-    return points;
+    return test::pointsOverSquare(
+        3000, 1, [](double x, double y, Random &) { return 0.2 * std::sin(3 * x) * y; });
 }
 
 TEST(CoarseShape, of_a_sphere_is_the_sphere)
@@ -192,22 +186,23 @@ TEST(CoarseShape, knows_an_open_sheet)
     EXPECT_EQ(shape.missedShare, 0);
 }
 
+void expectSheet(const test::Points &points, const std::string &what)
+{
+    NeuralMesh mesh;
+    const CoarseShape shape = shapeOf(points, mesh);
+    EXPECT_TRUE(shape.isTrusted) << what;
+    EXPECT_TRUE(shape.isSheet) << what;
+    EXPECT_EQ(shape.genus, 0) << what;
+}
+
 /// As scanners and file formats leave them.
 TEST(CoarseShape, of_a_plane_of_rounded_coordinates_is_a_sheet)
 {
     for (const double unit : {1e-4, 1e-3, 3e-3}) {
-        Random random(1);
-        test::Points points;
-        for (int i = 0; i < 20000; ++i) {
-            const double x = random.unit();
-            const double y = random.unit();
-            points.emplace_back(x, y, unit * std::round((0.1 * x + 0.05 * y) / unit));
-        }
-        NeuralMesh mesh;
-        const CoarseShape shape = shapeOf(points, mesh);
-        EXPECT_TRUE(shape.isTrusted) << unit;
-        EXPECT_TRUE(shape.isSheet) << unit;
-        EXPECT_EQ(shape.genus, 0) << unit;
+        const auto rounded = [&](double x, double y, Random &) {
+            return unit * std::round((0.1 * x + 0.05 * y) / unit);
+        };
+        expectSheet(test::pointsOverSquare(20000, 1, rounded), std::to_string(unit));
     }
 }
 
@@ -215,18 +210,11 @@ TEST(CoarseShape, of_a_plane_of_rounded_coordinates_is_a_sheet)
 TEST(CoarseShape, of_a_plate_thinner_than_a_cell_is_a_sheet)
 {
     for (const double thickness : {0.007, 0.009}) {
-        Random random(1);
-        test::Points points;
-        for (int i = 0; i < 100000; ++i) {
-            const double x = random.unit();
-            const double y = random.unit();
+        const auto sides = [&](double x, double y, Random &random) {
             const double side = random.unit() < 0.5 ? 0.5 : -0.5;
-            points.emplace_back(x, y, 0.2 * std::sin(3 * x) * y + side * thickness);
-        }
-        NeuralMesh mesh;
-        const CoarseShape shape = shapeOf(points, mesh);
-        EXPECT_TRUE(shape.isTrusted) << thickness;
-        EXPECT_TRUE(shape.isSheet) << thickness;
+            return 0.2 * std::sin(3 * x) * y + side * thickness;
+        };
+        expectSheet(test::pointsOverSquare(100000, 1, sides), std::to_string(thickness));
     }
 }
 

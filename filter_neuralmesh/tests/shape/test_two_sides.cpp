@@ -62,34 +62,12 @@ TEST(TwoSides, of_a_sheet_there_are_none_whatever_its_noise)
     EXPECT_FALSE(haveTwoSides(plate(0, 0.01, 1500)));
 }
 
-TEST(TwoSides, of_a_plane_of_rounded_coordinates_there_are_none)
-{
-    for (const double unit : {1e-15, 1e-8, 1e-4, 0.03})
-        for (const std::uint64_t seed : {1U, 2U, 3U}) {
-            Random random(seed);
-            test::Points points;
-            for (int i = 0; i < 60000; ++i) {
-                const double x = random.unit();
-                const double y = random.unit();
-                points.emplace_back(x, y, unit * std::round((x + 0.5 * y) / unit));
-            }
-            EXPECT_FALSE(haveTwoSides(points)) << unit;
-        }
-}
-
 /// A uniform distribution is the one most like two peaks.
 TEST(TwoSides, of_heights_with_one_peak_there_are_none)
 {
-    for (const std::uint64_t seed : {1U, 2U, 3U}) {
-        Random random(seed);
-        test::Points points;
-        for (int i = 0; i < 60000; ++i) {
-            const double x = random.unit();
-            const double y = random.unit();
-            points.emplace_back(x, y, 0.03 * random.unit());
-        }
-        EXPECT_FALSE(haveTwoSides(points)) << seed;
-    }
+    const auto uniform = [](double, double, Random &random) { return 0.03 * random.unit(); };
+    for (const std::uint64_t seed : {1U, 2U, 3U})
+        EXPECT_FALSE(haveTwoSides(test::pointsOverSquare(60000, seed, uniform))) << seed;
 }
 
 TEST(TwoSides, that_are_too_near_are_none)
@@ -103,10 +81,8 @@ TEST(TwoSides, that_are_too_near_are_none)
 
 TEST(TwoSides, of_points_on_a_plane_or_too_few_to_tell_there_are_none)
 {
-    test::Points flat;
-    Random random(1);
-    for (int i = 0; i < 3000; ++i)
-        flat.emplace_back(random.unit(), random.unit(), 0);
+    const test::Points flat =
+        test::pointsOverSquare(3000, 1, [](double, double, Random &) { return 0; });
     EXPECT_FALSE(haveTwoSides(flat));
     EXPECT_FALSE(haveTwoSides(plate(0.2, 0, 200)));
 }
