@@ -22,8 +22,8 @@ double findRoot(const Function &function, Bracket bracket, double tolerance)
     const double sign = high > 0 ? 1 : -1;
     const double pull = 0.2 / (b - a);
     double slack = 2 * tolerance;
-    for (double width = b - a; slack < width; slack *= 2) {
-    }
+    while (slack < b - a)
+        slack *= 2;
     // `slack` is how wide the bracket of a bisection would be, or twice that.
     while (b - a > 2 * tolerance) {
         const double middle = (a + b) / 2;
