@@ -343,7 +343,7 @@ void GrowingNetwork::judgeOpenness(const SampleSupport &support)
 
 void GrowingNetwork::removeWebs(const SampleSupport &support)
 {
-    for (const Refilling &web : findWebs(mesh_, support)) {
+    for (const Refilling &web : findWebs(mesh_, grid_, support)) {
         refillDisc(mesh_, web.rim, web.interior, web.triangles);
         ++websRemoved_;
     }

@@ -34,8 +34,8 @@ Triangle triangleOf(const NeuralMesh &mesh, const Corners &face)
 
 FillingCost::FillingCost(const NeuralMesh &mesh, const SampleSupport &support,
                          const std::vector<VertexId> &loop)
-    : mesh_(mesh), support_(support),
-      areaTerm_(distanceOfArea * distanceOfArea * meanSquaredEdge(mesh, loop))
+    : mesh_(mesh), support_(support), squaredEdge_(meanSquaredEdge(mesh, loop)),
+      areaTerm_(distanceOfArea * distanceOfArea * squaredEdge_)
 {
 }
 
@@ -67,7 +67,16 @@ double FillingCost::weight(const std::vector<Corners> &faces) const
     return sum;
 }
 
-FillingCost::Missed FillingCost::missed(const std::vector<Corners> &before,
+double FillingCost::sizeInFaces(const std::vector<Corners> &faces) const
+{
+    Scalar sum = 0;
+    for (const Corners &face : faces)
+        sum += area(triangleOf(mesh_, face));
+    return sum / (std::sqrt(Scalar(3)) / 4 * squaredEdge_);
+}
+
+FillingCost::Missed FillingCost::missed(const std::vector<SampleId> &samples,
+                                        const std::vector<Corners> &before,
                                         const std::vector<Corners> &after) const
 {
     Missed missed{0, 0};
@@ -80,7 +89,10 @@ FillingCost::Missed FillingCost::missed(const std::vector<Corners> &before,
                 return centre * (1 - towardsCorner) + corner * towardsCorner;
             };
             for (const Point3 &place : {centre, towards(t.a), towards(t.b), towards(t.c)}) {
-                const Point3 &sample = support_.nearest(place);
+                const SampleId nearest = support_.nearestId(place);
+                if (!std::binary_search(samples.begin(), samples.end(), nearest))
+                    continue;
+                const Point3 &sample = support_.samples()[nearest];
                 missed.before += share * squaredDistance(before, sample);
                 missed.after += share * squaredDistance(after, sample);
             }

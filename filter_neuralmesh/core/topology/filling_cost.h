@@ -29,12 +29,18 @@ public:
     double weight(const Corners &face) const;
     double weight(const std::vector<Corners> &faces) const;
 
-    /// Of samples near either of two sets of faces: their squared distances from each, by area. A
-    /// limb cut short is as near to the samples as the limb; the samples are not as near to it.
+    /// Area of faces, as a number of equilateral ones whose edges are as long as the loop's in the
+    /// mean of squares.
+    double sizeInFaces(const std::vector<Corners> &faces) const;
+
+    /// Of those of some samples, in order, that are near either of two sets of faces: their squared
+    /// distances from each, by area. A limb cut short is as near to the samples as the limb; the
+    /// samples are not as near to it.
     struct Missed {
         double before, after;
     };
-    Missed missed(const std::vector<Corners> &before, const std::vector<Corners> &after) const;
+    Missed missed(const std::vector<SampleId> &samples, const std::vector<Corners> &before,
+                  const std::vector<Corners> &after) const;
 
     /// The filling of least weight of a loop, its faces to the left. No diagonal is an edge for
     /// which `isTaken`.
@@ -66,6 +72,7 @@ private:
 
     const NeuralMesh &mesh_;
     const SampleSupport &support_;
+    Scalar squaredEdge_; ///< of the loop, in the mean
     Scalar areaTerm_;
 };
 

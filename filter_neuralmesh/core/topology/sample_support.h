@@ -10,6 +10,9 @@
 
 namespace neuralmesh {
 
+/// The place of a sample among those of a support.
+using SampleId = VertexId;
+
 class SampleSupport {
 public:
     /// Needs at least one sample. Where even all points of the target space are sparse, `widening`
@@ -20,10 +23,20 @@ public:
     /// Whether a sample lies within the radius, times the widening.
     bool hasWithin(const Point3 &place, Scalar radius) const;
 
+    const std::vector<Point3> &samples() const { return samples_; }
+
+    /// Calls visit(id) for each sample within the radius.
+    template <class Visit>
+    void forEachWithin(const Point3 &place, Scalar radius, const Visit &visit) const
+    {
+        grid_.forEachWithin(place, radius, visit);
+    }
+
     /// Where work that asks for many places looks.
     const Watch &watch() const { return watch_; }
 
-    const Point3 &nearest(const Point3 &place) const { return samples_[grid_.nearest(place)]; }
+    SampleId nearestId(const Point3 &place) const { return grid_.nearest(place); }
+    const Point3 &nearest(const Point3 &place) const { return samples_[nearestId(place)]; }
     Scalar squaredDistance(const Point3 &place) const
     {
         return (nearest(place) - place).SquaredNorm();

@@ -60,6 +60,8 @@ std::optional<Patch> PatchSearch::find(FaceId seed, PatchExtent extent)
     std::vector<FaceId> patch{seed};
     patchOf_[seed] = patch_;
     spread(patch, 0);
+    for (const FaceId face : patch)
+        isSeed_[face] = 0;
     if (extent == PatchExtent::dilated)
         dilate(patch);
     if (fillIslands(patch))

@@ -28,15 +28,18 @@ public:
     PatchSearch(const NeuralMesh &mesh, const FaceTable &faces, const SampleSupport &support);
 
     /// Whether an edge of the face is so far from all samples that a patch may start here. False
-    /// for faces of patches found before.
+    /// for faces of patches found before, and where a search has spread to from another seed: it
+    /// would find the same.
     bool isSeed(FaceId face) const { return isSeed_[face] && patchOf_[face] == none; }
 
-    /// The disc of faces around a seed. None where that is no disc. Faces of a patch belong to it
-    /// until it is released.
+    /// The disc of faces around a face that is a seed, or was before it was searched from. None
+    /// where that is no disc. Faces of a patch belong to it until it is released.
     std::optional<Patch> find(FaceId seed, PatchExtent extent);
     void release(const Patch &patch);
 
-    /// Whether both faces at edge (a, b) are in the patch found last.
+    /// Whether the face is in the patch found last.
+    bool contains(FaceId face) const { return patchOf_[face] == patch_; }
+    /// Whether both faces at edge (a, b) are.
     bool isInterior(VertexId a, VertexId b) const { return isInside(a, b) && isInside(b, a); }
 
 private:
@@ -49,7 +52,7 @@ private:
     bool fillIslands(std::vector<FaceId> &patch);
     std::vector<FaceId> islandBehind(FaceId face, std::size_t most, int searchesBefore);
     bool add(FaceId face, std::vector<FaceId> &patch);
-    bool isInside(VertexId a, VertexId b) const { return patchOf_[faces_.leftOf(a, b)] == patch_; }
+    bool isInside(VertexId a, VertexId b) const { return contains(faces_.leftOf(a, b)); }
     /// How often the rim leaves v; the next vertex of the rim, if any, goes into `next`.
     int rimEdgesFrom(VertexId v, VertexId &next) const;
     std::optional<Patch> outline(std::vector<FaceId> patch) const;

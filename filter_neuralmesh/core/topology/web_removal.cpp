@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/topology/filling_cost.h"
+#include "core/topology/owned_samples.h"
 #include "core/topology/unsupported_patches.h"
 
 namespace neuralmesh {
@@ -19,12 +20,16 @@ constexpr std::size_t facesToDilate = 6;
 constexpr std::size_t longestRim = 600;
 /// A filling must be so much better than the web, in squared distance.
 constexpr double leastGain = 0.5;
+/// Samples that are nearest to the web, as a share of those that so much mesh as the filling has. A
+/// surface that is hidden gives the web nearly all of its samples; one that is meshed keeps them,
+/// but for those along the rim.
+constexpr double leastOwned = 0.25;
 
 class WebSearch {
 public:
-    WebSearch(const NeuralMesh &mesh, const SampleSupport &support)
+    WebSearch(const NeuralMesh &mesh, const VertexGrid &grid, const SampleSupport &support)
         : mesh_(mesh), support_(support), faces_(mesh), patches_(mesh, faces_, support),
-          isTaken_(mesh.idBound(), 0)
+          owned_(mesh, faces_, grid, support), isTaken_(mesh.idBound(), 0)
     {
     }
 
@@ -55,9 +60,7 @@ private:
                     found_.push_back(std::move(*refilling));
                     return;
                 }
-            // The last keeps its faces, so that each patch is tried once.
-            if (extent != PatchExtent::dilated)
-                patches_.release(*patch);
+            patches_.release(*patch);
         }
     }
 
@@ -91,8 +94,12 @@ private:
         });
         if (!(filling.weight < leastGain * weightNow))
             return std::nullopt;
-        const FillingCost::Missed missed =
-            cost.missed(before, cornersOf(patch.rim, filling.triangles));
+        const std::vector<Corners> after = cornersOf(patch.rim, filling.triangles);
+        const std::vector<SampleId> owned = owned_.of(patch, patches_);
+        if (static_cast<double>(owned.size()) <
+            leastOwned * owned_.perFace() * cost.sizeInFaces(after))
+            return std::nullopt;
+        const FillingCost::Missed missed = cost.missed(owned, before, after);
         if (!(filling.weight + missed.after < leastGain * (weightNow + missed.before)))
             return std::nullopt;
         return Refilling{patch.rim, patch.interior, std::move(filling.triangles)};
@@ -102,15 +109,17 @@ private:
     const SampleSupport &support_;
     const FaceTable faces_;
     PatchSearch patches_;
+    OwnedSamples owned_;
     std::vector<char> isTaken_;
     std::vector<Refilling> found_;
 };
 
 } // namespace
 
-std::vector<Refilling> findWebs(const NeuralMesh &mesh, const SampleSupport &support)
+std::vector<Refilling> findWebs(const NeuralMesh &mesh, const VertexGrid &grid,
+                                const SampleSupport &support)
 {
-    return WebSearch(mesh, support).run();
+    return WebSearch(mesh, grid, support).run();
 }
 
 } // namespace neuralmesh

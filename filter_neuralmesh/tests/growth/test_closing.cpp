@@ -171,6 +171,24 @@ TEST(Closing, adds_no_more_than_there_is_room_for)
     EXPECT_EQ(closing.vertexCount(), 37);
 }
 
+/// Of a wall that was not scanned at its edges, the start has faces there, which no sample is near
+/// to. A web it would be if a surface were missing behind it; but the sides are there, and what is
+/// laid onto them crosses them.
+TEST(Closing, two_sides_of_a_wall_stay_whole)
+{
+    Random random(2);
+    WorldPoints points;
+    for (int i = 0; i < 4000; ++i) {
+        const vcg::Point3d p = test::inUnitCube(random);
+        points.emplace_back(p.X(), p.Y(), 0.1 * p.X() + (i % 2 == 0 ? 0 : 0.06));
+    }
+    const PointCloudSampler sampler(points);
+    NeuralMesh mesh;
+    const GrowthReport report = grow(mesh, sampler, closed(1100, 2));
+    EXPECT_EQ(report.selfIntersections, 0); // 31 if the filling counts samples of what is beside it
+    EXPECT_GT(report.coverage, 0.999);
+}
+
 /// A hair of points from the border of the sheet outwards, too long and thin for a surface.
 TEST(Borders, do_not_follow_strays)
 {

@@ -3,9 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/mesh/enumeration.h"
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/ring_surgery.h"
 #include "core/mesh/ring_topology.h"
+#include "core/network/star_projection.h"
+#include "core/topology/owned_samples.h"
 #include "core/topology/unsupported_patches.h"
 #include "tests/meshes_for_tests.h"
 
@@ -71,13 +78,22 @@ SampleSupport supportOfPosts(const NeuralMesh &mesh, Scalar gap)
     return SampleSupport(bounds, samples);
 }
 
+VertexGrid gridOf(const NeuralMesh &mesh)
+{
+    Box3 bounds;
+    forEachVertex(mesh, [&](VertexId v) { bounds.Add(mesh.position(v)); });
+    VertexGrid grid(bounds);
+    forEachVertex(mesh, [&](VertexId v) { grid.insert(v, mesh.position(v)); });
+    return grid;
+}
+
 TEST(WebRemoval, refilling_a_web_leaves_a_closed_two_manifold_of_the_same_topology)
 {
     constexpr Scalar gap = 4;
     NeuralMesh mesh;
     makeWeb(mesh, gap);
     validate(mesh);
-    const std::vector<Refilling> webs = findWebs(mesh, supportOfPosts(mesh, gap));
+    const std::vector<Refilling> webs = findWebs(mesh, gridOf(mesh), supportOfPosts(mesh, gap));
     ASSERT_EQ(webs.size(), 1U);
     refillDisc(mesh, webs[0].rim, webs[0].interior, webs[0].triangles);
     validate(mesh);
@@ -98,7 +114,7 @@ TEST(WebRemoval, a_mesh_on_its_samples_stays_as_it_is)
         for (const VertexId u : mesh.ring(v))
             samples.push_back((mesh.position(v) + mesh.position(u)) / 2);
     }
-    EXPECT_TRUE(findWebs(mesh, SampleSupport(bounds, samples)).empty());
+    EXPECT_TRUE(findWebs(mesh, gridOf(mesh), SampleSupport(bounds, samples)).empty());
 }
 
 /// A limb that too few samples show is not cut off: samples at its tip would be missed.
@@ -117,7 +133,7 @@ TEST(WebRemoval, a_spike_with_a_sample_at_its_tip_stays)
     samples.push_back(mesh.position(0));
     for (const Point3 &sample : samples)
         bounds.Add(sample);
-    EXPECT_TRUE(findWebs(mesh, SampleSupport(bounds, samples)).empty());
+    EXPECT_TRUE(findWebs(mesh, gridOf(mesh), SampleSupport(bounds, samples)).empty());
 }
 
 TEST(PatchSearch, finds_the_two_sheets_and_the_rim_of_a_web_as_one_disc)
@@ -135,9 +151,104 @@ TEST(PatchSearch, finds_the_two_sheets_and_the_rim_of_a_web_as_one_disc)
     ASSERT_TRUE(patch);
     EXPECT_TRUE(patch->interior.empty());
     EXPECT_EQ(patch->faces.size() + 2, patch->rim.size()); // a disc without interior vertices
-    EXPECT_FALSE(search.isSeed(seed)) << "its faces belong to it";
     search.release(*patch);
-    EXPECT_TRUE(search.isSeed(seed));
+    for (const FaceId face : patch->faces)
+        EXPECT_FALSE(search.isSeed(face)) << "it is found once";
+}
+
+/// A wall between two square sides, of which a corner alone was scanned. What fills its rim along
+/// the samples lies on the sides, which are there.
+TEST(WebRemoval, a_wall_that_was_not_scanned_stays)
+{
+    constexpr VertexId size = 14;
+    constexpr Scalar thickness = 2.5;
+    std::vector<Point3> points;
+    std::vector<test::Triangle> faces;
+    const auto at = [](VertexId side, VertexId i, VertexId j) {
+        return (side * size + j) * size + i;
+    };
+    for (VertexId side = 0; side < 2; ++side)
+        for (VertexId j = 0; j < size; ++j)
+            for (VertexId i = 0; i < size; ++i)
+                points.emplace_back(i, j, side * thickness);
+    const auto quad = [&](VertexId a, VertexId b, VertexId c, VertexId d) {
+        faces.push_back({{a, b, c}});
+        faces.push_back({{a, c, d}});
+    };
+    for (VertexId j = 0; j + 1 < size; ++j)
+        for (VertexId i = 0; i + 1 < size; ++i) {
+            quad(at(0, i, j), at(0, i, j + 1), at(0, i + 1, j + 1), at(0, i + 1, j));
+            quad(at(1, i, j), at(1, i + 1, j), at(1, i + 1, j + 1), at(1, i, j + 1));
+        }
+    std::vector<std::array<VertexId, 2>> border;
+    for (VertexId i = 0; i + 1 < size; ++i)
+        border.push_back({i, 0});
+    for (VertexId j = 0; j + 1 < size; ++j)
+        border.push_back({size - 1, j});
+    for (VertexId i = size - 1; i > 0; --i)
+        border.push_back({i, size - 1});
+    for (VertexId j = size - 1; j > 0; --j)
+        border.push_back({0, j});
+    for (std::size_t k = 0; k < border.size(); ++k) {
+        const auto &[i, j] = border[k];
+        const auto &[i2, j2] = border[(k + 1) % border.size()];
+        quad(at(0, i, j), at(0, i2, j2), at(1, i2, j2), at(1, i, j));
+    }
+    NeuralMesh mesh;
+    test::makeMesh(mesh, points, faces);
+    validate(mesh);
+    std::vector<Point3> samples;
+    constexpr Scalar step = 0.25;
+    for (const Scalar z : {Scalar(0), thickness})
+        for (Scalar x = 0; x <= size - 1; x += step)
+            for (Scalar y = 0; y <= size - 1; y += step)
+                samples.emplace_back(x, y, z);
+    for (Scalar z = 0; z <= thickness; z += step)
+        for (Scalar x = 0; x <= 3; x += step)
+            samples.emplace_back(x, 0, z);
+    Box3 bounds;
+    for (const Point3 &sample : samples)
+        bounds.Add(sample);
+    EXPECT_TRUE(findWebs(mesh, gridOf(mesh), SampleSupport(bounds, samples)).empty());
+}
+
+/// Those of the walls that are missing: of no other is the web the nearest.
+TEST(OwnedSamples, of_a_web_are_nearest_to_its_faces)
+{
+    constexpr Scalar gap = 4;
+    NeuralMesh mesh;
+    makeWeb(mesh, gap);
+    const SampleSupport support = supportOfPosts(mesh, gap);
+    const FaceTable faces(mesh);
+    PatchSearch search(mesh, faces, support);
+    FaceId seed = 0;
+    while (!search.isSeed(seed))
+        ++seed;
+    const std::optional<Patch> patch = search.find(seed, PatchExtent::core);
+    ASSERT_TRUE(patch);
+    const VertexGrid grid = gridOf(mesh);
+    const std::vector<SampleId> owned = OwnedSamples(mesh, faces, grid, support).of(*patch, search);
+    std::size_t others = 0;
+    for (SampleId sample = 0; sample < support.samples().size(); ++sample) {
+        const Point3 &p = support.samples()[sample];
+        Scalar toWeb = std::numeric_limits<Scalar>::max();
+        Scalar beside = toWeb;
+        for (FaceId face = 0; face < faces.size(); ++face) {
+            const Corners &c = faces.corners(face);
+            Scalar &least = search.contains(face) ? toWeb : beside;
+            least = std::min(
+                least, squaredDistanceTo(
+                           {mesh.position(c[0]), mesh.position(c[1]), mesh.position(c[2])}, p));
+        }
+        const bool isOwned = std::binary_search(owned.begin(), owned.end(), sample);
+        if (toWeb <= beside)
+            EXPECT_TRUE(isOwned) << p.X() << ' ' << p.Y() << ' ' << p.Z();
+        else
+            others += isOwned ? 1 : 0;
+    }
+    // A nearer face may be one that the nearest vertex is no corner of.
+    EXPECT_FALSE(owned.empty());
+    EXPECT_LE(others, owned.size() / 20);
 }
 
 } // namespace

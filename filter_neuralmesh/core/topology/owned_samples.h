@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The samples that are nearer to a patch of the mesh than to all that is beside it.
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/face_table.h"
+#include "core/mesh/neural_mesh.h"
+#include "core/space/vertex_grid.h"
+#include "core/topology/sample_support.h"
+#include "core/topology/unsupported_patches.h"
+
+namespace neuralmesh {
+
+/// Holds references: nothing of the mesh may change meanwhile. Each sample's nearest vertex is
+/// looked for when it is first needed.
+class OwnedSamples {
+public:
+    /// `grid` holds the mesh's vertices.
+    OwnedSamples(const NeuralMesh &mesh, const FaceTable &faces, const VertexGrid &grid,
+                 const SampleSupport &support);
+
+    /// The samples that are nearest to the patch, which must be the one found last, in order.
+    /// Those nearest to its rim are, too.
+    std::vector<SampleId> of(const Patch &patch, const PatchSearch &patches);
+
+    /// So many samples a face of the mesh has in the mean.
+    double perFace() const;
+
+private:
+    VertexId nearestVertex(SampleId sample);
+    bool isOwned(SampleId sample, const PatchSearch &patches);
+
+    const NeuralMesh &mesh_;
+    const FaceTable &faces_;
+    const VertexGrid &grid_;
+    const SampleSupport &support_;
+    std::vector<VertexId> nearest_; ///< by sample; noVertex where it was not asked for
+};
+
+} // namespace neuralmesh
