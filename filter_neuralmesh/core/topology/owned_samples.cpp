@@ -2,19 +2,10 @@
 #include "core/topology/owned_samples.h"
 
 #include <algorithm>
-#include <limits>
 
-#include "core/mesh/triangle.h"
 #include "core/network/star_projection.h"
 
 namespace neuralmesh {
-namespace {
-
-/// A sample at the rim of a patch is as near to the faces beside it, but for rounding.
-constexpr Scalar rounding = 1e-6;
-
-} // namespace
-
 OwnedSamples::OwnedSamples(const NeuralMesh &mesh, const FaceTable &faces, const VertexGrid &grid,
                            const SampleSupport &support)
     : mesh_(mesh), faces_(faces), grid_(grid), support_(support),
@@ -49,21 +40,27 @@ VertexId OwnedSamples::nearestVertex(SampleId sample)
     return nearest_[sample];
 }
 
+/// Whether the nearest point of the mesh lies on a face of the patch. On an edge or a corner it is
+/// of all faces there.
 bool OwnedSamples::isOwned(SampleId sample, const PatchSearch &patches)
 {
-    const Point3 &place = support_.samples()[sample];
-    const VertexId v = nearestVertex(sample);
-    constexpr Scalar none = std::numeric_limits<Scalar>::max();
-    Scalar toPatch = none;
-    Scalar beside = none;
-    for (int i = 0; i < mesh_.valence(v); ++i) {
-        const FaceId face = faces_.around(v, i);
-        const Corners &c = faces_.corners(face);
-        const Triangle triangle{mesh_.position(c[0]), mesh_.position(c[1]), mesh_.position(c[2])};
-        Scalar &least = patches.contains(face) ? toPatch : beside;
-        least = std::min(least, squaredDistanceTo(triangle, place));
+    const StarProjection p =
+        projectOnStar(mesh_, nearestVertex(sample), support_.samples()[sample]);
+    VertexId at[3];
+    VertexId *end = at;
+    for (int k = 0; k < 3; ++k)
+        if (p.weights[k] > 0)
+            *end++ = p.corners[k];
+    for (int i = 0; i < mesh_.valence(at[0]); ++i) {
+        const FaceId face = faces_.around(at[0], i);
+        const Corners &corners = faces_.corners(face);
+        const auto isCorner = [&](VertexId v) {
+            return std::find(corners.begin(), corners.end(), v) != corners.end();
+        };
+        if (patches.contains(face) && std::all_of(at, end, isCorner))
+            return true;
     }
-    return toPatch < none && toPatch <= (1 + rounding) * beside;
+    return false;
 }
 
 } // namespace neuralmesh

@@ -20,8 +20,8 @@ public:
     OwnedSamples(const NeuralMesh &mesh, const FaceTable &faces, const VertexGrid &grid,
                  const SampleSupport &support);
 
-    /// The samples that are nearest to the patch, which must be the one found last, in order.
-    /// Those nearest to its rim are, too.
+    /// The samples that are nearest to the patch, which must be the one found last, in order, with
+    /// those that are nearest to its rim. Looked at are the faces around a sample's nearest vertex.
     std::vector<SampleId> of(const Patch &patch, const PatchSearch &patches);
 
     /// So many samples a face of the mesh has in the mean.

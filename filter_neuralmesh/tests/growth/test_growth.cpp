@@ -149,8 +149,8 @@ TEST(Growth, makes_even_valences_by_default_whatever_the_size)
         NeuralMesh mesh;
         grow(mesh, sampler, withTarget(target));
         const ValenceShares shares = valenceShares(mesh);
-        // 99.98 to 100 % and 72.2 to 74.7 %, of three seeds.
-        EXPECT_GE(shares.fiveToSeven, 99.9) << target;
+        // 99.98 to 100 % and 72.2 to 74.7 %, of three seeds; without exchanges 99.7 to 99.94 %.
+        EXPECT_GE(shares.fiveToSeven, 99.97) << target;
         EXPECT_GE(shares.six, 70) << target;
         least = std::min(least, shares.six);
         most = std::max(most, shares.six);

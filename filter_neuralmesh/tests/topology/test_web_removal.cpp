@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "core/mesh/enumeration.h"
@@ -87,6 +86,37 @@ VertexGrid gridOf(const NeuralMesh &mesh)
     return grid;
 }
 
+/// The patch that a search finds first.
+std::optional<Patch> firstPatch(PatchSearch &search)
+{
+    FaceId seed = 0;
+    while (!search.isSeed(seed))
+        ++seed;
+    return search.find(seed, PatchExtent::core);
+}
+
+/// That of the web between the posts.
+struct FoundWeb {
+    NeuralMesh mesh;
+    SampleSupport support;
+    FaceTable faces;
+    PatchSearch search;
+    std::optional<Patch> patch;
+
+    FoundWeb()
+        : support(makeWebAndSupport(mesh)), faces(mesh), search(mesh, faces, support),
+          patch(firstPatch(search))
+    {
+    }
+
+    static SampleSupport makeWebAndSupport(NeuralMesh &mesh)
+    {
+        constexpr Scalar gap = 4;
+        makeWeb(mesh, gap);
+        return supportOfPosts(mesh, gap);
+    }
+};
+
 TEST(WebRemoval, refilling_a_web_leaves_a_closed_two_manifold_of_the_same_topology)
 {
     constexpr Scalar gap = 4;
@@ -138,112 +168,122 @@ TEST(WebRemoval, a_spike_with_a_sample_at_its_tip_stays)
 
 TEST(PatchSearch, finds_the_two_sheets_and_the_rim_of_a_web_as_one_disc)
 {
-    constexpr Scalar gap = 4;
-    NeuralMesh mesh;
-    makeWeb(mesh, gap);
-    const SampleSupport support = supportOfPosts(mesh, gap);
-    const FaceTable faces(mesh);
-    PatchSearch search(mesh, faces, support);
-    FaceId seed = 0;
-    while (!search.isSeed(seed))
-        ++seed;
-    const std::optional<Patch> patch = search.find(seed, PatchExtent::core);
-    ASSERT_TRUE(patch);
-    EXPECT_TRUE(patch->interior.empty());
-    EXPECT_EQ(patch->faces.size() + 2, patch->rim.size()); // a disc without interior vertices
-    search.release(*patch);
-    for (const FaceId face : patch->faces)
-        EXPECT_FALSE(search.isSeed(face)) << "it is found once";
+    FoundWeb web;
+    ASSERT_TRUE(web.patch);
+    EXPECT_TRUE(web.patch->interior.empty());
+    EXPECT_EQ(web.patch->faces.size() + 2,
+              web.patch->rim.size()); // a disc without interior vertices
+    web.search.release(*web.patch);
+    for (const FaceId face : web.patch->faces)
+        EXPECT_FALSE(web.search.isSeed(face)) << "it is found once";
 }
 
-/// A wall between two square sides, of which a corner alone was scanned. What fills its rim along
-/// the samples lies on the sides, which are there.
-TEST(WebRemoval, a_wall_that_was_not_scanned_stays)
+/// Two square sides of a wall and the faces between them all around, as far apart as `thickness`.
+void makePlate(NeuralMesh &mesh, VertexId size, Scalar thickness)
 {
-    constexpr VertexId size = 14;
-    constexpr Scalar thickness = 2.5;
     std::vector<Point3> points;
     std::vector<test::Triangle> faces;
-    const auto at = [](VertexId side, VertexId i, VertexId j) {
-        return (side * size + j) * size + i;
-    };
-    for (VertexId side = 0; side < 2; ++side)
+    for (const Scalar z : {Scalar(0), thickness})
         for (VertexId j = 0; j < size; ++j)
             for (VertexId i = 0; i < size; ++i)
-                points.emplace_back(i, j, side * thickness);
+                points.emplace_back(i, j, z);
+    const VertexId other = size * size; // from a vertex to that behind it
+    const auto at = [&](VertexId i, VertexId j) { return j * size + i; };
     const auto quad = [&](VertexId a, VertexId b, VertexId c, VertexId d) {
         faces.push_back({{a, b, c}});
         faces.push_back({{a, c, d}});
     };
-    for (VertexId j = 0; j + 1 < size; ++j)
-        for (VertexId i = 0; i + 1 < size; ++i) {
-            quad(at(0, i, j), at(0, i, j + 1), at(0, i + 1, j + 1), at(0, i + 1, j));
-            quad(at(1, i, j), at(1, i + 1, j), at(1, i + 1, j + 1), at(1, i, j + 1));
+    const auto wall = [&](VertexId a, VertexId b) { quad(a, b, b + other, a + other); };
+    const VertexId last = size - 1;
+    for (VertexId k = 0; k < last; ++k) {
+        wall(at(k, 0), at(k + 1, 0));
+        wall(at(last, k), at(last, k + 1));
+        wall(at(k + 1, last), at(k, last));
+        wall(at(0, k + 1), at(0, k));
+        for (VertexId i = 0; i < last; ++i) {
+            const VertexId a = at(i, k), b = at(i + 1, k), c = at(i + 1, k + 1), d = at(i, k + 1);
+            quad(a, d, c, b);
+            quad(a + other, b + other, c + other, d + other);
         }
-    std::vector<std::array<VertexId, 2>> border;
-    for (VertexId i = 0; i + 1 < size; ++i)
-        border.push_back({i, 0});
-    for (VertexId j = 0; j + 1 < size; ++j)
-        border.push_back({size - 1, j});
-    for (VertexId i = size - 1; i > 0; --i)
-        border.push_back({i, size - 1});
-    for (VertexId j = size - 1; j > 0; --j)
-        border.push_back({0, j});
-    for (std::size_t k = 0; k < border.size(); ++k) {
-        const auto &[i, j] = border[k];
-        const auto &[i2, j2] = border[(k + 1) % border.size()];
-        quad(at(0, i, j), at(0, i2, j2), at(1, i2, j2), at(1, i, j));
     }
-    NeuralMesh mesh;
     test::makeMesh(mesh, points, faces);
-    validate(mesh);
-    std::vector<Point3> samples;
+}
+
+/// Samples of its sides, and of a piece of one edge.
+constexpr VertexId sizeOfPlate = 14;
+constexpr Scalar thickness = 2.5;
+std::vector<Point3> samplesOfPlate()
+{
     constexpr Scalar step = 0.25;
+    std::vector<Point3> samples;
     for (const Scalar z : {Scalar(0), thickness})
-        for (Scalar x = 0; x <= size - 1; x += step)
-            for (Scalar y = 0; y <= size - 1; y += step)
+        for (Scalar x = 0; x <= sizeOfPlate - 1; x += step)
+            for (Scalar y = 0; y <= sizeOfPlate - 1; y += step)
                 samples.emplace_back(x, y, z);
     for (Scalar z = 0; z <= thickness; z += step)
         for (Scalar x = 0; x <= 3; x += step)
             samples.emplace_back(x, 0, z);
-    Box3 bounds;
-    for (const Point3 &sample : samples)
-        bounds.Add(sample);
-    EXPECT_TRUE(findWebs(mesh, gridOf(mesh), SampleSupport(bounds, samples)).empty());
+    return samples;
+}
+
+/// A wall of which, besides its sides, a piece of one edge was scanned. What fills its rim along
+/// the samples lies on the sides, which are there.
+TEST(WebRemoval, a_wall_that_was_not_scanned_stays)
+{
+    NeuralMesh mesh;
+    makePlate(mesh, sizeOfPlate, thickness);
+    validate(mesh);
+    const Box3 bounds({0, 0, 0}, {sizeOfPlate - 1, sizeOfPlate - 1, thickness});
+    EXPECT_TRUE(findWebs(mesh, gridOf(mesh), SampleSupport(bounds, samplesOfPlate())).empty());
+}
+
+/// Outside the edge where a side and the unscanned wall meet, one is as near as the other.
+TEST(OwnedSamples, of_a_patch_are_those_beyond_its_rim_too)
+{
+    NeuralMesh mesh;
+    makePlate(mesh, sizeOfPlate, thickness);
+    std::vector<Point3> samples = samplesOfPlate();
+    const std::size_t beyond = samples.size();
+    for (Scalar x = 5; x < sizeOfPlate - 2; x += 0.07)
+        for (const Scalar z : {Scalar(-0.2), thickness + Scalar(0.2)})
+            samples.emplace_back(x, -0.3, z);
+    const Box3 bounds({0, -1, -1}, {sizeOfPlate - 1, sizeOfPlate - 1, thickness + 1});
+    const SampleSupport support(bounds, samples);
+    const FaceTable faces(mesh);
+    PatchSearch search(mesh, faces, support);
+    const std::optional<Patch> wall = firstPatch(search);
+    ASSERT_TRUE(wall);
+    const VertexGrid grid = gridOf(mesh);
+    const std::vector<SampleId> owned = OwnedSamples(mesh, faces, grid, support).of(*wall, search);
+    for (auto sample = static_cast<SampleId>(beyond); sample < samples.size(); ++sample)
+        EXPECT_TRUE(std::binary_search(owned.begin(), owned.end(), sample)) << sample - beyond;
 }
 
 /// Those of the walls that are missing: of no other is the web the nearest.
 TEST(OwnedSamples, of_a_web_are_nearest_to_its_faces)
 {
-    constexpr Scalar gap = 4;
-    NeuralMesh mesh;
-    makeWeb(mesh, gap);
-    const SampleSupport support = supportOfPosts(mesh, gap);
-    const FaceTable faces(mesh);
-    PatchSearch search(mesh, faces, support);
-    FaceId seed = 0;
-    while (!search.isSeed(seed))
-        ++seed;
-    const std::optional<Patch> patch = search.find(seed, PatchExtent::core);
-    ASSERT_TRUE(patch);
-    const VertexGrid grid = gridOf(mesh);
-    const std::vector<SampleId> owned = OwnedSamples(mesh, faces, grid, support).of(*patch, search);
+    FoundWeb web;
+    ASSERT_TRUE(web.patch);
+    const VertexGrid grid = gridOf(web.mesh);
+    const std::vector<Point3> &samples = web.support.samples();
+    const std::vector<SampleId> owned =
+        OwnedSamples(web.mesh, web.faces, grid, web.support).of(*web.patch, web.search);
     std::size_t others = 0;
-    for (SampleId sample = 0; sample < support.samples().size(); ++sample) {
-        const Point3 &p = support.samples()[sample];
+    for (SampleId sample = 0; sample < samples.size(); ++sample) {
         Scalar toWeb = std::numeric_limits<Scalar>::max();
         Scalar beside = toWeb;
-        for (FaceId face = 0; face < faces.size(); ++face) {
-            const Corners &c = faces.corners(face);
-            Scalar &least = search.contains(face) ? toWeb : beside;
-            least = std::min(
-                least, squaredDistanceTo(
-                           {mesh.position(c[0]), mesh.position(c[1]), mesh.position(c[2])}, p));
+        for (FaceId face = 0; face < web.faces.size(); ++face) {
+            const Corners &c = web.faces.corners(face);
+            Scalar &least = web.search.contains(face) ? toWeb : beside;
+            least =
+                std::min(least, squaredDistanceTo({web.mesh.position(c[0]), web.mesh.position(c[1]),
+                                                   web.mesh.position(c[2])},
+                                                  samples[sample]));
         }
         const bool isOwned = std::binary_search(owned.begin(), owned.end(), sample);
-        if (toWeb <= beside)
-            EXPECT_TRUE(isOwned) << p.X() << ' ' << p.Y() << ' ' << p.Z();
-        else
+        if (toWeb < 0.99 * beside)
+            EXPECT_TRUE(isOwned) << sample;
+        else if (beside < 0.99 * toWeb)
             others += isOwned ? 1 : 0;
     }
     // A nearer face may be one that the nearest vertex is no corner of.

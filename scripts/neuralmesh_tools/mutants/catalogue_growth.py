@@ -238,6 +238,22 @@ GROWTH: tuple[Mutant, ...] = (
         ("Closing.two_sides_of_a_wall_stay_whole",),
     ),
     Mutant(
+        "webs-own-what-is-near",
+        "a sample that is nearer to what is beside a web is not the web's",
+        "core/topology/owned_samples.cpp",
+        "std::all_of(at, end, isCorner)",
+        "std::any_of(at, end, isCorner)",
+        ("OwnedSamples.of_a_web_are_nearest_to_its_faces",),
+    ),
+    Mutant(
+        "rims-own-by-chance",
+        "samples beyond the rim of a web are the web's, too",
+        "core/topology/owned_samples.cpp",
+        "        if (p.weights[k] > 0)",
+        "        if (p.weights[k] >= 0)",
+        ("OwnedSamples.of_a_patch_are_those_beyond_its_rim_too",),
+    ),
+    Mutant(
         "webs-are-found-again",
         "a web is searched for from one of its faces, not from each",
         "core/topology/unsupported_patches.cpp",
