@@ -63,7 +63,7 @@ Scalar BatchLearning::meanRoughness() const
 const std::vector<Wins> &BatchLearning::win(const std::vector<Point3> &samples,
                                             const BatchRules &rules)
 {
-    const SampleLocator locator(mesh_, grid_, workers_);
+    const SampleLocator locator(mesh_, bounds_, workers_);
     signals_.resize(samples.size());
     locator.forEachNearest(workers_, samples, [&](std::size_t i, VertexId nearest) {
         signals_[i] = signal(locator, nearest, samples[i], rules);

@@ -31,8 +31,9 @@ struct BatchRules {
 
 class BatchLearning {
 public:
-    BatchLearning(const NeuralMesh &mesh, const VertexGrid &grid, Workers &workers)
-        : mesh_(mesh), grid_(grid), workers_(workers)
+    /// `bounds` are those of the samples.
+    BatchLearning(const NeuralMesh &mesh, const Box3 &bounds, Workers &workers)
+        : mesh_(mesh), bounds_(bounds), workers_(workers)
     {
     }
 
@@ -57,7 +58,7 @@ private:
     Point3 smoothed(VertexId v, const std::vector<double> &left) const;
 
     const NeuralMesh &mesh_;
-    const VertexGrid &grid_;
+    const Box3 bounds_;
     Workers &workers_;
     std::vector<Signal> signals_; ///< of each sample
     std::vector<Wins> wins_;

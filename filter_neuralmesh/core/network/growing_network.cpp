@@ -58,18 +58,27 @@ constexpr Scalar thicknessOfSheets = 1e-3;
 GrowingNetwork::GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
                                const GrowthParameters &parameters, Workers *workers)
     : parameters_(parameters), rules_(LearningRules::of(parameters.splitRule)),
-      workers_(workers ? *workers : alone_), mesh_(startingMesh), grid_(bounds),
+      workers_(workers ? *workers : alone_), mesh_(startingMesh), bounds_(bounds),
       smoothing_(parameters.smoothingRate, parameters.smoothingPasses),
-      batch_(mesh_, grid_, workers_), lastWin_(startingMesh)
+      batch_(mesh_, bounds, workers_), lastWin_(startingMesh)
 {
     forEachVertex(mesh_, [&](VertexId v) { enrol(v); });
     mesh_.follow(*this);
     updateDecay();
 }
 
+VertexGrid &GrowingNetwork::grid() const
+{
+    if (!grid_) {
+        grid_.emplace(bounds_);
+        forEachVertex(mesh_, [&](VertexId v) { grid_->insert(v, mesh_.position(v)); });
+    }
+    return *grid_;
+}
+
 VertexId GrowingNetwork::nearestVertex(const Point3 &sample, VertexId hint) const
 {
-    return grid_.nearest(sample, hint);
+    return grid().nearest(sample, hint);
 }
 
 VertexId GrowingNetwork::findWinner(const Point3 &sample, VertexId hint) const
@@ -88,13 +97,14 @@ bool GrowingNetwork::isYoung() const
 
 StarProjection GrowingNetwork::project(VertexId nearest, const Point3 &sample) const
 {
-    return projectOnSheets(mesh_, grid_, nearest, sample, reachForSheets(mesh_, nearest, sample));
+    return projectOnSheets(mesh_, grid(), nearest, sample, reachForSheets(mesh_, nearest, sample));
 }
 
 void GrowingNetwork::moveVertex(VertexId v, const Point3 &position)
 {
     mesh_.position(v) = position;
-    grid_.move(v, position);
+    if (grid_)
+        grid_->move(v, position);
 }
 
 SelfIntersections GrowingNetwork::findSelfIntersections()
@@ -191,9 +201,8 @@ std::vector<VertexId> GrowingNetwork::exchangeIrregular()
 
 void GrowingNetwork::adapt(VertexId winner, const Point3 &sample)
 {
-    Point3 &position = mesh_.position(winner);
-    position += (sample - position) * parameters_.winnerRate;
-    grid_.move(winner, position);
+    const Point3 &position = mesh_.position(winner);
+    moveVertex(winner, position + (sample - position) * parameters_.winnerRate);
 
     const NeighbourRing &ring = mesh_.ring(winner);
     const auto &smoothed = smoothing_.smooth(mesh_, winner);
@@ -343,7 +352,7 @@ void GrowingNetwork::judgeOpenness(const SampleSupport &support)
 
 void GrowingNetwork::removeWebs(const SampleSupport &support)
 {
-    for (const Refilling &web : findWebs(mesh_, grid_, support)) {
+    for (const Refilling &web : findWebs(mesh_, support)) {
         refillDisc(mesh_, web.rim, web.interior, web.triangles);
         ++websRemoved_;
     }
@@ -357,7 +366,8 @@ void GrowingNetwork::vertexAdded(VertexId v)
 
 void GrowingNetwork::enrol(VertexId v)
 {
-    grid_.insert(v, mesh_.position(v));
+    if (grid_)
+        grid_->insert(v, mesh_.position(v));
     counters_.insert(v, 0);
     lastWin_[v] = signals_;
 }
@@ -365,7 +375,8 @@ void GrowingNetwork::enrol(VertexId v)
 void GrowingNetwork::vertexRemoved(VertexId v)
 {
     ++removed_;
-    grid_.erase(v);
+    if (grid_)
+        grid_->erase(v);
     counters_.erase(v);
 }
 

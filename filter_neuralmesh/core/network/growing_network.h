@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
@@ -62,7 +63,7 @@ public:
     StarProjection project(VertexId nearest, const Point3 &sample) const;
 
     /// Finds the same for many samples, until a vertex moves.
-    SampleLocator locator() const { return {mesh_, grid_, workers_}; }
+    SampleLocator locator() const { return {mesh_, bounds_, workers_}; }
 
     /// Moves a vertex to another place.
     void moveVertex(VertexId v, const Point3 &position);
@@ -140,6 +141,7 @@ public:
     bool isOpenSurface() const { return isOpen_; }
 
 private:
+    VertexGrid &grid() const;
     bool isYoung() const;
     VertexId splitOff(VertexId v);
     VertexId splitStar(const StarSplit &star, const Point3 &position);
@@ -160,7 +162,8 @@ private:
     mutable Workers alone_; ///< where none are given
     Workers &workers_;
     NeuralMesh &mesh_;
-    VertexGrid grid_;
+    Box3 bounds_;
+    mutable std::optional<VertexGrid> grid_; ///< made where winners are looked for one by one
     NeighbourSmoothing smoothing_;
     SignalActivity activity_;
     BatchLearning batch_;

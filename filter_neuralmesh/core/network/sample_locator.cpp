@@ -6,6 +6,7 @@
 
 #include "core/mesh/edge_lengths.h"
 #include "core/parallel/vertex_loops.h"
+#include "core/space/vertices_of.h"
 
 namespace neuralmesh {
 namespace {
@@ -29,22 +30,8 @@ Scalar reachForSheets(const NeuralMesh &mesh, VertexId nearest, const Point3 &sa
                     sheetDistance * meanEdge(mesh, nearest));
 }
 
-StarProjection projectOnSheets(const NeuralMesh &mesh, const VertexGrid &grid, VertexId nearest,
-                               const Point3 &sample, Scalar reach)
-{
-    StarProjection best = projectOnStar(mesh, nearest, sample);
-    grid.forEachWithin(sample, reach, [&](VertexId v) {
-        if (v == nearest || mesh.ring(nearest).contains(v))
-            return;
-        const StarProjection p = projectOnStar(mesh, v, sample);
-        if (p.squaredDistance < best.squaredDistance)
-            best = p;
-    });
-    return best;
-}
-
-SampleLocator::SampleLocator(const NeuralMesh &mesh, const VertexGrid &grid, Workers &workers)
-    : mesh_(mesh), grid_(grid), around_(mesh.idBound())
+SampleLocator::SampleLocator(const NeuralMesh &mesh, const Box3 &bounds, Workers &workers)
+    : mesh_(mesh), grid_(verticesOf(mesh, bounds)), around_(mesh.idBound())
 {
     forEachVertex(workers, mesh_, [&](VertexId v) { around_[v] = surroundings(v); });
 }
@@ -81,7 +68,7 @@ VertexId SampleLocator::nearestVertex(const Point3 &sample, VertexId hint) const
         }
     }
     const Scalar clearance = around_[nearest].clearance;
-    return 4 * least < clearance * clearance ? nearest : grid_.nearest(sample, nearest);
+    return 4 * least < clearance * clearance ? nearest : grid_.nearest(sample, {least, nearest});
 }
 
 StarProjection SampleLocator::project(VertexId nearest, const Point3 &sample) const

@@ -6,27 +6,42 @@
 
 #include "core/network/star_projection.h"
 #include "core/parallel/workers.h"
-#include "core/space/vertex_grid.h"
+#include "core/space/point_grid.h"
 
 namespace neuralmesh {
 
 /// The point of the mesh nearest to the sample: on the star of the vertex that is nearest to it, or
 /// on that of another one not further from it than `reach`. Where two sheets run close to each
-/// other, the nearest vertex may lie on one and the nearest face on the other.
-StarProjection projectOnSheets(const NeuralMesh &mesh, const VertexGrid &grid, VertexId nearest,
-                               const Point3 &sample, Scalar reach);
+/// other, the nearest vertex may lie on one and the nearest face on the other. Of several stars
+/// that hold the point, it is given by that of the nearest vertex, or of the lowest id.
+template <class Grid>
+StarProjection projectOnSheets(const NeuralMesh &mesh, const Grid &grid, VertexId nearest,
+                               const Point3 &sample, Scalar reach)
+{
+    StarProjection best = projectOnStar(mesh, nearest, sample);
+    grid.forEachWithin(sample, reach, [&](VertexId v) {
+        if (v == nearest || mesh.ring(nearest).contains(v))
+            return;
+        const StarProjection p = projectOnStar(mesh, v, sample);
+        const bool comesFirst = best.corners[0] != nearest && v < best.corners[0];
+        if (p.squaredDistance < best.squaredDistance ||
+            (p.squaredDistance == best.squaredDistance && comesFirst))
+            best = p;
+    });
+    return best;
+}
 
 /// How far around a sample other sheets are looked for, given its nearest vertex.
 Scalar reachForSheets(const NeuralMesh &mesh, VertexId nearest, const Point3 &sample);
 
-/// Answers as the grid does and as projectOnSheets() does, to the last bit, and
+/// Answers as an index of the vertices does and as projectOnSheets() does, to the last bit, and
 /// faster: it knows of each vertex how far from it all those are that are no neighbours of it. A
 /// vertex that is nearer to a sample than all its neighbours, and than half of that, is the nearest
 /// of all; and where no other comes within reach of the sample, there is no other sheet.
 class SampleLocator {
 public:
-    /// Both must stay as they are meanwhile.
-    SampleLocator(const NeuralMesh &mesh, const VertexGrid &grid, Workers &workers);
+    /// Of a mesh most of which is within the bounds, and which must stay as it is meanwhile.
+    SampleLocator(const NeuralMesh &mesh, const Box3 &bounds, Workers &workers);
 
     /// The vertex nearest to the sample, found by walking over the mesh from the hint, which may be
     /// noVertex; the lowest id of several at the same distance.
@@ -66,7 +81,7 @@ private:
     Surroundings surroundings(VertexId v) const;
 
     const NeuralMesh &mesh_;
-    const VertexGrid &grid_;
+    PointGrid grid_;
     std::vector<Surroundings> around_; ///< by id
 };
 

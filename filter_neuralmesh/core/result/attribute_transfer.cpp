@@ -7,7 +7,7 @@
 
 #include "core/space/alias_table.h"
 #include "core/space/plain_points.h"
-#include "core/space/vertex_grid.h"
+#include "core/space/point_grid.h"
 #include "neuralmesh/random.h"
 
 namespace neuralmesh {
@@ -45,6 +45,15 @@ Box3 unitBounds(const UnitFrame &frame, const Mesh &mesh)
     return {toUnit(frame, world.min), toUnit(frame, world.max)};
 }
 
+std::vector<Point3> unitPositions(const UnitFrame &frame, const Mesh &mesh)
+{
+    std::vector<Point3> positions;
+    positions.reserve(mesh.positions.size());
+    for (const Point &p : mesh.positions)
+        positions.push_back(toVcg(frame.toUnit(p)));
+    return positions;
+}
+
 /// By vertex: its neighbours, ascending.
 std::vector<std::vector<VertexId>> neighboursIn(const Mesh &mesh)
 {
@@ -67,13 +76,10 @@ std::vector<std::vector<VertexId>> neighboursIn(const Mesh &mesh)
 class AttributeTransfer::Vertices {
 public:
     explicit Vertices(const Mesh &mesh)
-        : frame_(toPlain(boundsOf(mesh))), neighbours_(neighboursIn(mesh)),
-          grid_(unitBounds(frame_, mesh)), sums_(mesh.positions.size())
+        : frame_(toPlain(boundsOf(mesh))), positions_(unitPositions(frame_, mesh)),
+          neighbours_(neighboursIn(mesh)), grid_(unitBounds(frame_, mesh), positions_),
+          sums_(mesh.positions.size())
     {
-        for (const Point &p : mesh.positions) {
-            positions_.push_back(toVcg(frame_.toUnit(p)));
-            grid_.insert(static_cast<VertexId>(positions_.size() - 1), positions_.back());
-        }
         double squares = 0;
         double edges = 0;
         for (VertexId v = 0; v < positions_.size(); ++v)
@@ -87,11 +93,11 @@ public:
     void add(const Point &world, const AttributeValues &values)
     {
         const Point3 point = toVcg(frame_.toUnit(world));
-        lastNearest_ = grid_.nearest(point, lastNearest_);
-        const double distance = (positions_[lastNearest_] - point).SquaredNorm();
+        const VertexId nearest = grid_.nearest(point);
+        const double distance = (positions_[nearest] - point).SquaredNorm();
         const double ratio = distance / squaredEdge_;
         const double weight = 1 / (1 + ratio * ratio);
-        Sum &sum = sums_[lastNearest_];
+        Sum &sum = sums_[nearest];
         sum.weight += weight;
         for (std::size_t k = 0; k < values.size(); ++k)
             sum.values[k] += weight * values[k];
@@ -152,10 +158,9 @@ private:
     UnitFrame frame_;
     std::vector<Point3> positions_;
     std::vector<std::vector<VertexId>> neighbours_;
-    VertexGrid grid_;
+    PointGrid grid_;
     double squaredEdge_ = 0; ///< mean over all edges
     std::vector<Sum> sums_;
-    VertexId lastNearest_ = noVertex;
 };
 
 AttributeTransfer::AttributeTransfer(const Mesh &mesh) : vertices_(std::make_unique<Vertices>(mesh))

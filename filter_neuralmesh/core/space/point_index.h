@@ -4,17 +4,15 @@
 
 #include <vector>
 
-#include "core/space/vertex_grid.h"
+#include "core/space/point_grid.h"
 
 namespace neuralmesh {
 
 /// Refers to the points, which have to stay.
 class PointIndex {
 public:
-    PointIndex(const std::vector<Point3> &points) : points_(points), grid_(boundsOf(points))
+    PointIndex(const std::vector<Point3> &points) : points_(points), grid_(boundsOf(points), points)
     {
-        for (std::size_t i = 0; i < points.size(); ++i)
-            grid_.insert(static_cast<VertexId>(i), points[i]);
     }
 
     const std::vector<Point3> &points() const { return points_; }
@@ -43,7 +41,7 @@ private:
     }
 
     const std::vector<Point3> &points_;
-    VertexGrid grid_;
+    PointGrid grid_;
 };
 
 } // namespace neuralmesh

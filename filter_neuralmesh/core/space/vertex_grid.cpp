@@ -7,21 +7,12 @@
 #include <limits>
 
 namespace neuralmesh {
-namespace {
-
-double cellsAlong(double extent, double cellSize)
-{
-    return std::max(1.0, std::ceil(extent / cellSize));
-}
-
-} // namespace
-
-VertexGrid::VertexGrid(const Box3 &bounds) : bounds_(bounds)
+VertexGrid::VertexGrid(const Box3 &bounds) : bounds_(bounds), cells_(bounds, 1)
 {
     layOutCells(1);
 }
 
-VertexGrid::CellId VertexGrid::cellAt(const CellCoordinates &c)
+VertexGrid::CellId VertexGrid::cellAt(const Cell &c)
 {
     CellId &block = blocks_[blockAt(c)];
     if (block == noCell) {
@@ -59,7 +50,7 @@ void VertexGrid::insert(VertexId id, const Point3 &position)
     if (id >= entries_.size())
         entries_.resize(static_cast<std::size_t>(id) + 1);
     entries_[id].position = position;
-    link(id, cellAt(coordinates(position)));
+    link(id, cellAt(cells_.at(position)));
     ++size_;
     regridIfNeeded();
 }
@@ -69,7 +60,7 @@ void VertexGrid::move(VertexId id, const Point3 &position)
     assert(contains(id));
     Entry &entry = entries_[id];
     entry.position = position;
-    const CellId cell = cellAt(coordinates(position));
+    const CellId cell = cellAt(cells_.at(position));
     if (cell == entry.cell)
         return;
     unlink(id);
@@ -103,7 +94,7 @@ double VertexGrid::linkAll()
     std::size_t held = 0;
     for (VertexId id = 0; id < entries_.size(); ++id)
         if (entries_[id].cell != noCell) {
-            link(id, cellAt(coordinates(entries_[id].position)));
+            link(id, cellAt(cells_.at(entries_[id].position)));
             held += entries_[id].next == noVertex ? 1 : 0;
         }
     return static_cast<double>(size_) / static_cast<double>(held);
@@ -111,32 +102,17 @@ double VertexGrid::linkAll()
 
 void VertexGrid::layOutCells(std::size_t cellCount)
 {
-    // The cell size at which about cellCount cubes fill the bounds, found by bisection because
-    // thin bounds hold a single layer.
-    const Point3 extent = bounds_.IsNull() ? Point3(0, 0, 0) : bounds_.Dim();
-    const double widest = std::max({extent.X(), extent.Y(), extent.Z(), 1e-30});
-    double low = widest / static_cast<double>(cellCount + 1);
-    double high = widest;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        const double cells = cellsAlong(extent.X(), middle) * cellsAlong(extent.Y(), middle) *
-                             cellsAlong(extent.Z(), middle);
-        (cells > static_cast<double>(cellCount) ? low : high) = middle;
-    }
-    cellsPerUnit_ = 1 / high;
-    cellsX_ = static_cast<int>(cellsAlong(extent.X(), high));
-    cellsY_ = static_cast<int>(cellsAlong(extent.Y(), high));
-    cellsZ_ = static_cast<int>(cellsAlong(extent.Z(), high));
+    cells_ = GridCells(bounds_, cellCount);
     const auto blocksAlong = [](int cells) {
         return static_cast<std::size_t>((cells + blockSide - 1) / blockSide);
     };
-    blocksX_ = blocksAlong(cellsX_);
-    blocksY_ = blocksAlong(cellsY_);
-    blocks_.assign(blocksX_ * blocksY_ * blocksAlong(cellsZ_), noCell);
+    blocksX_ = blocksAlong(cells_.x());
+    blocksY_ = blocksAlong(cells_.y());
+    blocks_.assign(blocksX_ * blocksY_ * blocksAlong(cells_.z()), noCell);
     firstInCell_.clear();
 }
 
-void VertexGrid::improve(const CellCoordinates &c, const Point3 &query, Candidate &best) const
+void VertexGrid::improve(const Cell &c, const Point3 &query, Candidate &best) const
 {
     for (VertexId id = firstIn(c); id != noVertex; id = entries_[id].next) {
         const Scalar d = (entries_[id].position - query).SquaredNorm();
@@ -150,10 +126,10 @@ void VertexGrid::improve(const CellCoordinates &c, const Point3 &query, Candidat
 class VertexGrid::Shells {
 public:
     Shells(const VertexGrid &grid, const Point3 &query)
-        : grid_(grid), query_(query), centre_(grid.coordinates(query)),
-          x_(grid, query.X() - grid.bounds_.min.X(), centre_.x, grid.cellsX_),
-          y_(grid, query.Y() - grid.bounds_.min.Y(), centre_.y, grid.cellsY_),
-          z_(grid, query.Z() - grid.bounds_.min.Z(), centre_.z, grid.cellsZ_)
+        : grid_(grid), query_(query), centre_(grid.cells_.at(query)),
+          x_(grid.cells_, query.X() - grid.cells_.origin().X(), centre_.x, grid.cells_.x()),
+          y_(grid.cells_, query.Y() - grid.cells_.origin().Y(), centre_.y, grid.cells_.y()),
+          z_(grid.cells_, query.Z() - grid.cells_.origin().Z(), centre_.z, grid.cells_.z())
     {
     }
 
@@ -173,9 +149,9 @@ private:
     /// One axis of the grid.
     class Axis {
     public:
-        Axis(const VertexGrid &grid, Scalar offset, int centre, int cells)
-            : fromLower_(offset - static_cast<Scalar>(centre) / grid.cellsPerUnit_),
-              cellSize_(1 / grid.cellsPerUnit_), lowest_(-centre), highest_(cells - 1 - centre),
+        Axis(const GridCells &grid, Scalar offset, int centre, int cells)
+            : fromLower_(offset - static_cast<Scalar>(centre) / grid.cellsPerUnit()),
+              cellSize_(1 / grid.cellsPerUnit()), lowest_(-centre), highest_(cells - 1 - centre),
               slack_(rounding * std::max(static_cast<Scalar>(cells) * cellSize_, std::abs(offset)))
         {
         }
@@ -237,7 +213,7 @@ private:
 
     const VertexGrid &grid_;
     const Point3 &query_;
-    const CellCoordinates centre_;
+    const Cell centre_;
     const Axis x_, y_, z_;
 };
 
@@ -252,7 +228,7 @@ VertexId VertexGrid::nearest(const Point3 &query, VertexId hint) const
     return best.id;
 }
 
-bool VertexGrid::countDown(const CellCoordinates &c, const Point3 &query, Scalar squaredRadius,
+bool VertexGrid::countDown(const Cell &c, const Point3 &query, Scalar squaredRadius,
                            int &count) const
 {
     for (VertexId id = firstIn(c); id != noVertex; id = entries_[id].next)
@@ -264,11 +240,11 @@ bool VertexGrid::countDown(const CellCoordinates &c, const Point3 &query, Scalar
 bool VertexGrid::hasWithin(const Point3 &query, Scalar radius, int count) const
 {
     const Scalar squaredRadius = radius * radius;
-    const CellCoordinates own = coordinates(query);
+    const Cell own = cells_.at(query);
     if (countDown(own, query, squaredRadius, count))
         return true;
-    const CellCoordinates low = coordinates(query - Point3(radius, radius, radius));
-    const CellCoordinates high = coordinates(query + Point3(radius, radius, radius));
+    const Cell low = cells_.at(query - Point3(radius, radius, radius));
+    const Cell high = cells_.at(query + Point3(radius, radius, radius));
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x)

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/mesh/neural_mesh.h"
+#include "core/space/grid_cells.h"
 
 namespace neuralmesh {
 
@@ -43,8 +43,8 @@ public:
     template <class Visit>
     void forEachWithin(const Point3 &query, Scalar radius, const Visit &visit) const
     {
-        const CellCoordinates low = coordinates(query - Point3(radius, radius, radius));
-        const CellCoordinates high = coordinates(query + Point3(radius, radius, radius));
+        const Cell low = cells_.at(query - Point3(radius, radius, radius));
+        const Cell high = cells_.at(query + Point3(radius, radius, radius));
         for (int z = low.z; z <= high.z; ++z)
             for (int y = low.y; y <= high.y; ++y)
                 for (int x = low.x; x <= high.x; ++x)
@@ -54,6 +54,7 @@ public:
     }
 
 private:
+    using Cell = GridCells::Cell;
     using CellId = std::uint32_t;
     static constexpr CellId noCell = 0xffffffffU;
 
@@ -64,10 +65,6 @@ private:
         VertexId next = noVertex;
         VertexId previous = noVertex;
         CellId cell = noCell;
-    };
-
-    struct CellCoordinates {
-        int x, y, z;
     };
 
     struct Candidate {
@@ -81,30 +78,13 @@ private:
     static constexpr int blockSide = 4;
     static constexpr std::size_t cellsOfBlock = 64;
 
-    /// Cell of a coordinate, clamped into the grid. Clamping is monotone, so a range of coordinates
-    /// never misses the clamped cell of a point inside the range.
-    static int clampedCell(Scalar coordinate, Scalar origin, Scalar cellsPerUnit, int cells)
-    {
-        const Scalar place = (coordinate - origin) * cellsPerUnit;
-        if (!(place > 0))
-            return 0;
-        return place < static_cast<Scalar>(cells) ? static_cast<int>(place) : cells - 1;
-    }
-
-    CellCoordinates coordinates(const Point3 &position) const
-    {
-        return {clampedCell(position.X(), bounds_.min.X(), cellsPerUnit_, cellsX_),
-                clampedCell(position.Y(), bounds_.min.Y(), cellsPerUnit_, cellsY_),
-                clampedCell(position.Z(), bounds_.min.Z(), cellsPerUnit_, cellsZ_)};
-    }
-
-    std::size_t blockAt(const CellCoordinates &c) const
+    std::size_t blockAt(const Cell &c) const
     {
         const auto of = [](int cell) { return static_cast<std::size_t>(cell / blockSide); };
         return (of(c.z) * blocksY_ + of(c.y)) * blocksX_ + of(c.x);
     }
 
-    static CellId placeInBlock(const CellCoordinates &c)
+    static CellId placeInBlock(const Cell &c)
     {
         constexpr int mask = blockSide - 1;
         return static_cast<CellId>(((c.z & mask) * blockSide + (c.y & mask)) * blockSide +
@@ -112,28 +92,26 @@ private:
     }
 
     /// The first vertex of a cell, or noVertex.
-    VertexId firstIn(const CellCoordinates &c) const
+    VertexId firstIn(const Cell &c) const
     {
         const CellId block = blocks_[blockAt(c)];
         return block == noCell ? noVertex : firstInCell_[block + placeInBlock(c)];
     }
 
     /// The cell, made where it is not there.
-    CellId cellAt(const CellCoordinates &c);
+    CellId cellAt(const Cell &c);
     void link(VertexId id, CellId cell);
     void unlink(VertexId id);
     void regridIfNeeded();
     void layOutCells(std::size_t cellCount);
     /// Links all vertices; returns how many of them there are for each cell that holds any.
     double linkAll();
-    void improve(const CellCoordinates &c, const Point3 &query, Candidate &best) const;
+    void improve(const Cell &c, const Point3 &query, Candidate &best) const;
     /// Takes the vertices of a cell within the radius off `count`; whether none is left to find.
-    bool countDown(const CellCoordinates &c, const Point3 &query, Scalar squaredRadius,
-                   int &count) const;
+    bool countDown(const Cell &c, const Point3 &query, Scalar squaredRadius, int &count) const;
 
     Box3 bounds_;
-    Scalar cellsPerUnit_ = 1;
-    int cellsX_ = 1, cellsY_ = 1, cellsZ_ = 1;
+    GridCells cells_;
     std::size_t blocksX_ = 1, blocksY_ = 1;
     std::vector<CellId> blocks_; ///< the first cell of each block, or noCell
     std::vector<VertexId> firstInCell_;

@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "core/network/star_projection.h"
+#include "core/space/vertices_of.h"
 
 namespace neuralmesh {
-OwnedSamples::OwnedSamples(const NeuralMesh &mesh, const FaceTable &faces, const VertexGrid &grid,
+OwnedSamples::OwnedSamples(const NeuralMesh &mesh, const FaceTable &faces,
                            const SampleSupport &support)
-    : mesh_(mesh), faces_(faces), grid_(grid), support_(support),
-      nearest_(support.samples().size(), noVertex)
+    : mesh_(mesh), faces_(faces), support_(support), nearest_(support.samples().size(), noVertex)
 {
 }
 
@@ -35,8 +35,10 @@ std::vector<SampleId> OwnedSamples::of(const Patch &patch, const PatchSearch &pa
 
 VertexId OwnedSamples::nearestVertex(SampleId sample)
 {
+    if (!vertices_)
+        vertices_.emplace(verticesOf(mesh_, support_.bounds()));
     if (nearest_[sample] == noVertex)
-        nearest_[sample] = grid_.nearest(support_.samples()[sample]);
+        nearest_[sample] = vertices_->nearest(support_.samples()[sample]);
     return nearest_[sample];
 }
 

@@ -2,11 +2,12 @@
 // The samples that are nearer to a patch of the mesh than to all that is beside it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/mesh/face_table.h"
 #include "core/mesh/neural_mesh.h"
-#include "core/space/vertex_grid.h"
+#include "core/space/point_grid.h"
 #include "core/topology/sample_support.h"
 #include "core/topology/unsupported_patches.h"
 
@@ -16,9 +17,7 @@ namespace neuralmesh {
 /// looked for when it is first needed.
 class OwnedSamples {
 public:
-    /// `grid` holds the mesh's vertices.
-    OwnedSamples(const NeuralMesh &mesh, const FaceTable &faces, const VertexGrid &grid,
-                 const SampleSupport &support);
+    OwnedSamples(const NeuralMesh &mesh, const FaceTable &faces, const SampleSupport &support);
 
     /// The samples that are nearest to the patch, which must be the one found last, in order, with
     /// those that are nearest to its rim. Looked at are the faces around a sample's nearest vertex.
@@ -33,9 +32,9 @@ private:
 
     const NeuralMesh &mesh_;
     const FaceTable &faces_;
-    const VertexGrid &grid_;
     const SampleSupport &support_;
-    std::vector<VertexId> nearest_; ///< by sample; noVertex where it was not asked for
+    std::optional<PointGrid> vertices_; ///< made when it is first needed
+    std::vector<VertexId> nearest_;     ///< by sample; noVertex where it was not asked for
 };
 
 } // namespace neuralmesh

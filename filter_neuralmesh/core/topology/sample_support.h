@@ -6,7 +6,7 @@
 
 #include "core/mesh/neural_mesh.h"
 #include "core/parallel/watch.h"
-#include "core/space/vertex_grid.h"
+#include "core/space/point_grid.h"
 
 namespace neuralmesh {
 
@@ -22,6 +22,9 @@ public:
 
     /// Whether a sample lies within the radius, times the widening.
     bool hasWithin(const Point3 &place, Scalar radius) const;
+
+    /// Most samples are within.
+    const Box3 &bounds() const { return bounds_; }
 
     const std::vector<Point3> &samples() const { return samples_; }
 
@@ -43,8 +46,9 @@ public:
     }
 
 private:
+    Box3 bounds_;
     std::vector<Point3> samples_;
-    VertexGrid grid_;
+    PointGrid grid_;
     Scalar widening_;
     Watch watch_;
 };

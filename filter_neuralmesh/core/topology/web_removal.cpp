@@ -27,9 +27,9 @@ constexpr double leastOwned = 0.25;
 
 class WebSearch {
 public:
-    WebSearch(const NeuralMesh &mesh, const VertexGrid &grid, const SampleSupport &support)
+    WebSearch(const NeuralMesh &mesh, const SampleSupport &support)
         : mesh_(mesh), support_(support), faces_(mesh), patches_(mesh, faces_, support),
-          owned_(mesh, faces_, grid, support), isTaken_(mesh.idBound(), 0)
+          owned_(mesh, faces_, support), isTaken_(mesh.idBound(), 0)
     {
     }
 
@@ -116,10 +116,9 @@ private:
 
 } // namespace
 
-std::vector<Refilling> findWebs(const NeuralMesh &mesh, const VertexGrid &grid,
-                                const SampleSupport &support)
+std::vector<Refilling> findWebs(const NeuralMesh &mesh, const SampleSupport &support)
 {
-    return WebSearch(mesh, grid, support).run();
+    return WebSearch(mesh, support).run();
 }
 
 } // namespace neuralmesh

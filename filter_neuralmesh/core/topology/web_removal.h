@@ -11,7 +11,6 @@
 
 #include "core/mesh/loop_triangulation.h"
 #include "core/mesh/neural_mesh.h"
-#include "core/space/vertex_grid.h"
 #include "core/topology/sample_support.h"
 
 namespace neuralmesh {
@@ -25,7 +24,6 @@ struct Refilling {
 
 /// Where the mesh spans voids and could do better. The discs have no vertices in common, so the
 /// refillings can be applied one after the other.
-std::vector<Refilling> findWebs(const NeuralMesh &mesh, const VertexGrid &grid,
-                                const SampleSupport &support);
+std::vector<Refilling> findWebs(const NeuralMesh &mesh, const SampleSupport &support);
 
 } // namespace neuralmesh

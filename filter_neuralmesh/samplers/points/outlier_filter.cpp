@@ -92,7 +92,7 @@ OutlierFilter::OutlierFilter(const std::vector<Point3> &points)
 }
 
 OutlierFilter::OutlierFilter(const std::vector<Point3> &drawn, bool isWhole)
-    : pilotGrid_(RobustFrame::usualBox())
+    : pilotGrid_(RobustFrame::usualBox(), pilot_)
 {
     if (drawn.size() < leastPoints)
         return;
@@ -104,7 +104,7 @@ OutlierFilter::OutlierFilter(const std::vector<Point3> &drawn, bool isWhole)
     Box3 inFrame;
     std::size_t outliers = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        if (isDirt(pilot_[i])) {
+        if (isInSmallGroup_[i] || (isAlone_[i] && !(reaches_[i] > 0))) {
             ++outliers;
             continue;
         }
@@ -115,16 +115,16 @@ OutlierFilter::OutlierFilter(const std::vector<Point3> &drawn, bool isWhole)
     if (static_cast<double>(outliers) > mostOutliers * static_cast<double>(places.size()))
         return;
     isActive_ = true;
-    pilotGrid_ = VertexGrid(inFrame);
-    insertPilot();
-    const auto dirt = std::count_if(drawn.begin(), drawn.end(),
-                                    [&](const Point3 &point) { return isOutlier(point); });
-    share_ = static_cast<double>(dirt) / static_cast<double>(drawn.size());
+    pilotGrid_ = PointGrid(inFrame, pilot_);
+    if (drawn.size() > places.size()) // each counts however often it is repeated
+        outliers = static_cast<std::size_t>(std::count_if(
+            drawn.begin(), drawn.end(), [&](const Point3 &point) { return isOutlier(point); }));
+    share_ = static_cast<double>(outliers) / static_cast<double>(drawn.size());
 }
 
 void OutlierFilter::learn(bool isWhole)
 {
-    insertPilot();
+    pilotGrid_ = PointGrid(RobustFrame::usualBox(), pilot_);
     PilotTree tree(pilot_);
     radius_ = measureRadius(tree, pilot_);
     if (isWhole) {
@@ -133,14 +133,10 @@ void OutlierFilter::learn(bool isWhole)
             if (strays(i, pilot_, tree, distances))
                 strays_.insert(pilot_[i]);
     }
+    for (const Point3 &point : pilot_)
+        isAlone_.push_back(isAlone(point));
     findSparseParts();
     findSmallGroups();
-}
-
-void OutlierFilter::insertPilot()
-{
-    for (std::size_t i = 0; i < pilot_.size(); ++i)
-        pilotGrid_.insert(static_cast<VertexId>(i), pilot_[i]);
 }
 
 /// Among those alone, but for strays off a surface: many of these, at one distance, would be one
@@ -150,7 +146,7 @@ void OutlierFilter::findSparseParts()
     std::vector<std::size_t> indices;
     std::vector<Point3> alone;
     for (std::size_t i = 0; i < pilot_.size(); ++i)
-        if (isAlone(pilot_[i]) && !strays_.contains(pilot_[i])) {
+        if (isAlone_[i] && !strays_.contains(pilot_[i])) {
             indices.push_back(i);
             alone.push_back(pilot_[i]);
         }
@@ -166,7 +162,7 @@ void OutlierFilter::findSmallGroups()
     std::vector<std::size_t> indices;
     std::vector<Point3> others;
     for (std::size_t i = 0; i < pilot_.size(); ++i)
-        if (reaches_[i] > 0 || !isAlone(pilot_[i])) {
+        if (reaches_[i] > 0 || !isAlone_[i]) {
             indices.push_back(i);
             others.push_back(pilot_[i]);
         }

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/space/vertex_grid.h"
+#include "core/space/point_grid.h"
 #include "samplers/points/distinct_points.h"
 #include "samplers/points/robust_frame.h"
 
@@ -31,7 +31,7 @@ public:
     static constexpr std::size_t pilotPoints = 20000;
 
     /// Of no cloud: not active.
-    OutlierFilter() : pilotGrid_(RobustFrame::usualBox()) {}
+    OutlierFilter() : pilotGrid_(RobustFrame::usualBox(), pilot_) {}
 
     /// Learns from every n-th of the points, given in any unit and however far from each other.
     explicit OutlierFilter(const std::vector<Point3> &points);
@@ -53,15 +53,15 @@ public:
 
 private:
     void learn(bool isWhole);
-    void insertPilot();
     void findSparseParts();
     void findSmallGroups();
     bool isDirt(const Point3 &inFrame) const;
     bool isAlone(const Point3 &inFrame) const;
 
     RobustFrame frame_;
-    VertexGrid pilotGrid_;
-    std::vector<Point3> pilot_;        ///< in the robust frame
+    std::vector<Point3> pilot_; ///< in the robust frame
+    PointGrid pilotGrid_;
+    std::vector<bool> isAlone_;        ///< by pilot point
     std::vector<bool> isInSmallGroup_; ///< by pilot point
     std::vector<double> reaches_;      ///< by pilot point: in a sparse part, of others around it
     DistinctPoints strays_;            ///< not alone, but off the surface of their neighbours

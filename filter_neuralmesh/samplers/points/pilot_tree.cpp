@@ -63,15 +63,28 @@ std::vector<std::size_t> PilotTree::groups(double ratio, int k)
             i = parent[i] = parent[parent[i]];
         return i;
     };
-    const std::vector<double> reach = distances(k);
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        tree_.doQueryK(points_[i], k + 1, queue_);
+    struct Neighbour {
+        std::size_t index;
+        double squaredDistance;
+    };
+    std::vector<Neighbour> found; // of one point after the other
+    std::vector<std::size_t> ends;
+    std::vector<double> reach; // squared
+    for (const Point3 &point : points_) {
+        tree_.doQueryK(point, k + 1, queue_); // the point itself is one
+        reach.push_back(0);
         for (int n = 0; n < queue_.getNofElements(); ++n) {
-            const auto other = static_cast<std::size_t>(queue_.getIndex(n));
-            if (std::sqrt(queue_.getWeight(n)) <= ratio * reach[other])
-                parent[root(other)] = root(i);
+            const auto squared = static_cast<double>(queue_.getWeight(n));
+            found.push_back({static_cast<std::size_t>(queue_.getIndex(n)), squared});
+            reach.back() = std::max(reach.back(), squared);
         }
+        ends.push_back(found.size());
     }
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        for (; next < ends[i]; ++next)
+            if (found[next].squaredDistance <= ratio * ratio * reach[found[next].index])
+                parent[root(found[next].index)] = root(i);
     for (std::size_t i = 0; i < parent.size(); ++i)
         parent[i] = root(i);
     return parent;

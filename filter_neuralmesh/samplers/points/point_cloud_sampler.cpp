@@ -2,9 +2,11 @@
 #include "samplers/points/point_cloud_sampler.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
+#include "core/portability.h"
 #include "neuralmesh/errors.h"
 #include "samplers/input_checks.h"
 #include "samplers/points/distinct_points.h"
@@ -17,6 +19,9 @@ namespace {
 /// outlier, or where a point lies out of the reach of those that are none; one that is left has
 /// next to no chance of being drawn.
 constexpr std::size_t mostPointsJudged = 200000;
+
+/// Points that the memory is asked for before the first of them is read.
+constexpr std::size_t readsAtOnce = 64;
 
 std::vector<bool> withDensity(const std::vector<double> &density)
 {
@@ -100,19 +105,36 @@ void PointCloudSampler::keep(std::vector<Point> world, const std::vector<bool> &
     points_ = std::move(world);
 }
 
+/// The points at nextIndex(), as many as there are samples. Of a large cloud, hardly any of them is
+/// in cache.
+template <class NextIndex>
+void PointCloudSampler::gather(std::vector<Point> &samples, NextIndex nextIndex) const
+{
+    std::array<std::size_t, readsAtOnce> indices;
+    for (std::size_t first = 0; first < samples.size(); first += readsAtOnce) {
+        const std::size_t count = std::min(readsAtOnce, samples.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            indices[i] = nextIndex();
+            prefetch(&points_[indices[i]]);
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            samples[first + i] = points_[indices[i]];
+    }
+}
+
 void PointCloudSampler::draw(Random &random, std::size_t count, std::vector<Point> &samples) const
 {
     samples.resize(count);
-    for (Point &sample : samples)
-        sample = points_[drawIndex(random)];
+    gather(samples, [&] { return drawIndex(random); });
 }
 
 void PointCloudSampler::drawStratified(Random &random, const Strata &strata,
                                        std::vector<Point> &samples) const
 {
-    samples.clear();
-    for (std::size_t i = strata.first; i < strata.end; ++i)
-        samples.push_back(points_[order_.draw(random, i, strata.count)]);
+    samples.resize(strata.end - strata.first);
+    gather(samples, [&, stratum = strata.first]() mutable {
+        return order_.draw(random, stratum++, strata.count);
+    });
 }
 
 std::size_t PointCloudSampler::drawIndex(Random &random) const

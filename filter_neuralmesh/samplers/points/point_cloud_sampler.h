@@ -38,6 +38,7 @@ public:
 
 private:
     void keep(std::vector<Point> world, const std::vector<bool> &isKept);
+    template <class NextIndex> void gather(std::vector<Point> &samples, NextIndex nextIndex) const;
     std::size_t drawIndex(Random &random) const;
 
     Outliers outliers_;

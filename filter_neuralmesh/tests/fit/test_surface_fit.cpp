@@ -7,6 +7,7 @@
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/self_intersections.h"
 #include "core/network/star_projection.h"
+#include "core/space/vertices_of.h"
 #include "samplers/points/point_cloud_sampler.h"
 #include "tests/meshes_for_tests.h"
 
@@ -19,14 +20,11 @@ double rmsDistance(const NeuralMesh &mesh, const UnitFrame &frame, const test::W
     Box3 bounds;
     bounds.Add({-0.5, -0.5, -0.5});
     bounds.Add({0.5, 0.5, 0.5});
-    VertexGrid grid(bounds);
-    for (VertexId v = 0; v < mesh.idBound(); ++v)
-        if (mesh.isLive(v))
-            grid.insert(v, mesh.position(v));
+    const PointGrid vertices = verticesOf(mesh, bounds);
     double sum = 0;
     for (const vcg::Point3d &point : world) {
         const Point3 p = toUnit(frame, point);
-        sum += projectOnStar(mesh, grid.nearest(p), p).squaredDistance;
+        sum += projectOnStar(mesh, vertices.nearest(p), p).squaredDistance;
     }
     return std::sqrt(sum / static_cast<double>(world.size()));
 }

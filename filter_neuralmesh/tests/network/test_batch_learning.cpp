@@ -18,18 +18,12 @@ constexpr BatchRules byDistance{true, everywhere};
 
 class BatchOnSquare : public ::testing::Test {
 protected:
-    BatchOnSquare() : grid_(Box3({0, 0, -10}, {4, 4, 10}))
-    {
-        test::makeSquare(mesh_, 4);
-        for (VertexId v = 0; v < mesh_.idBound(); ++v)
-            grid_.insert(v, mesh_.position(v));
-    }
+    BatchOnSquare() { test::makeSquare(mesh_, 4); }
 
-    BatchLearning learning() { return {mesh_, grid_, workers_}; }
+    BatchLearning learning() { return {mesh_, Box3({0, 0, -10}, {4, 4, 10}), workers_}; }
 
     static constexpr VertexId middle = 12;
     NeuralMesh mesh_;
-    VertexGrid grid_;
     Workers workers_;
 };
 
@@ -49,7 +43,6 @@ TEST_F(BatchOnSquare, its_neighbours_are_smoothed_once_for_all_that_it_wins)
 {
     // Of all vertices but the middle one none wins, and of its neighbours one is off its place.
     mesh_.position(13) += Point3(0.2, 0, 0);
-    grid_.move(13, mesh_.position(13));
     GrowthParameters parameters;
     BatchLearning learning = this->learning();
     learning.win(std::vector<Point3>(2, {2, 2, 0}), plain);
@@ -69,7 +62,6 @@ TEST_F(BatchOnSquare, smoothing_keeps_a_vertex_in_its_tangent_plane_and_on_its_b
     for (VertexId v = 0; v < mesh_.idBound(); ++v) {
         const Point3 p = mesh_.position(v);
         mesh_.position(v).Z() = 0.5 * p.X() * p.X();
-        grid_.move(v, mesh_.position(v));
     }
     BatchLearning learning = this->learning();
     std::vector<Point3> samples;

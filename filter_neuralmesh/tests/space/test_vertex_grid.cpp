@@ -3,50 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <map>
-
-#include "neuralmesh/random.h"
+#include "tests/space/brute_force.h"
 
 namespace neuralmesh {
 namespace {
-
-using Positions = std::map<VertexId, Point3>;
-
-/// The oracle: every vertex looked at, ties to the lowest id.
-VertexId nearestByBruteForce(const Positions &positions, const Point3 &query)
-{
-    VertexId best = noVertex;
-    Scalar least = 0;
-    for (const auto &[id, position] : positions) {
-        const Scalar d = (position - query).SquaredNorm();
-        if (best == noVertex || d < least) {
-            best = id;
-            least = d;
-        }
-    }
-    return best;
-}
-
-Box3 box(const Point3 &low, const Point3 &high)
-{
-    Box3 b;
-    b.Add(low);
-    b.Add(high);
-    return b;
-}
-
-/// Points in and around the box, a part of them on a coarse lattice so that ties occur.
-Point3 randomPoint(Random &random, const Box3 &bounds)
-{
-    Point3 p;
-    const bool onLattice = random.below(4) == 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double along = onLattice ? static_cast<double>(random.below(9)) / 8 : random.unit();
-        p[axis] = bounds.min[axis] + (1.4 * along - 0.2) * bounds.Dim()[axis];
-    }
-    return p;
-}
 
 void churn(const Box3 &bounds, std::uint64_t seed, int operations)
 {
@@ -73,9 +33,7 @@ void churn(const Box3 &bounds, std::uint64_t seed, int operations)
             ASSERT_EQ(grid.nearest(p, hint), expected) << "with a hint, operation " << i;
             hint = id;
             const Scalar radius = 0.3 * random.unit();
-            const auto within = std::count_if(positions.begin(), positions.end(), [&](auto &entry) {
-                return (entry.second - p).SquaredNorm() <= radius * radius;
-            });
+            const int within = countWithin(positions, p, radius);
             ASSERT_EQ(grid.hasWithin(p, radius), within >= 1);
             ASSERT_EQ(grid.hasWithin(p, radius, 3), within >= 3);
         }

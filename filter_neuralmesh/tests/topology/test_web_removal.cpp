@@ -77,15 +77,6 @@ SampleSupport supportOfPosts(const NeuralMesh &mesh, Scalar gap)
     return SampleSupport(bounds, samples);
 }
 
-VertexGrid gridOf(const NeuralMesh &mesh)
-{
-    Box3 bounds;
-    forEachVertex(mesh, [&](VertexId v) { bounds.Add(mesh.position(v)); });
-    VertexGrid grid(bounds);
-    forEachVertex(mesh, [&](VertexId v) { grid.insert(v, mesh.position(v)); });
-    return grid;
-}
-
 /// The patch that a search finds first.
 std::optional<Patch> firstPatch(PatchSearch &search)
 {
@@ -123,7 +114,7 @@ TEST(WebRemoval, refilling_a_web_leaves_a_closed_two_manifold_of_the_same_topolo
     NeuralMesh mesh;
     makeWeb(mesh, gap);
     validate(mesh);
-    const std::vector<Refilling> webs = findWebs(mesh, gridOf(mesh), supportOfPosts(mesh, gap));
+    const std::vector<Refilling> webs = findWebs(mesh, supportOfPosts(mesh, gap));
     ASSERT_EQ(webs.size(), 1U);
     refillDisc(mesh, webs[0].rim, webs[0].interior, webs[0].triangles);
     validate(mesh);
@@ -144,7 +135,7 @@ TEST(WebRemoval, a_mesh_on_its_samples_stays_as_it_is)
         for (const VertexId u : mesh.ring(v))
             samples.push_back((mesh.position(v) + mesh.position(u)) / 2);
     }
-    EXPECT_TRUE(findWebs(mesh, gridOf(mesh), SampleSupport(bounds, samples)).empty());
+    EXPECT_TRUE(findWebs(mesh, SampleSupport(bounds, samples)).empty());
 }
 
 /// A limb that too few samples show is not cut off: samples at its tip would be missed.
@@ -163,7 +154,7 @@ TEST(WebRemoval, a_spike_with_a_sample_at_its_tip_stays)
     samples.push_back(mesh.position(0));
     for (const Point3 &sample : samples)
         bounds.Add(sample);
-    EXPECT_TRUE(findWebs(mesh, gridOf(mesh), SampleSupport(bounds, samples)).empty());
+    EXPECT_TRUE(findWebs(mesh, SampleSupport(bounds, samples)).empty());
 }
 
 TEST(PatchSearch, finds_the_two_sheets_and_the_rim_of_a_web_as_one_disc)
@@ -234,7 +225,7 @@ TEST(WebRemoval, a_wall_that_was_not_scanned_stays)
     makePlate(mesh, sizeOfPlate, thickness);
     validate(mesh);
     const Box3 bounds({0, 0, 0}, {sizeOfPlate - 1, sizeOfPlate - 1, thickness});
-    EXPECT_TRUE(findWebs(mesh, gridOf(mesh), SampleSupport(bounds, samplesOfPlate())).empty());
+    EXPECT_TRUE(findWebs(mesh, SampleSupport(bounds, samplesOfPlate())).empty());
 }
 
 /// Outside the edge where a side and the unscanned wall meet, one is as near as the other.
@@ -253,8 +244,7 @@ TEST(OwnedSamples, of_a_patch_are_those_beyond_its_rim_too)
     PatchSearch search(mesh, faces, support);
     const std::optional<Patch> wall = firstPatch(search);
     ASSERT_TRUE(wall);
-    const VertexGrid grid = gridOf(mesh);
-    const std::vector<SampleId> owned = OwnedSamples(mesh, faces, grid, support).of(*wall, search);
+    const std::vector<SampleId> owned = OwnedSamples(mesh, faces, support).of(*wall, search);
     for (auto sample = static_cast<SampleId>(beyond); sample < samples.size(); ++sample)
         EXPECT_TRUE(std::binary_search(owned.begin(), owned.end(), sample)) << sample - beyond;
 }
@@ -264,10 +254,9 @@ TEST(OwnedSamples, of_a_web_are_nearest_to_its_faces)
 {
     FoundWeb web;
     ASSERT_TRUE(web.patch);
-    const VertexGrid grid = gridOf(web.mesh);
     const std::vector<Point3> &samples = web.support.samples();
     const std::vector<SampleId> owned =
-        OwnedSamples(web.mesh, web.faces, grid, web.support).of(*web.patch, web.search);
+        OwnedSamples(web.mesh, web.faces, web.support).of(*web.patch, web.search);
     std::size_t others = 0;
     for (SampleId sample = 0; sample < samples.size(); ++sample) {
         Scalar toWeb = std::numeric_limits<Scalar>::max();

@@ -81,8 +81,8 @@ GROWTH: tuple[Mutant, ...] = (
         "nearest-unproven",
         "the vertex at which the walk to a sample ends is the nearest only where that is proven",
         "core/network/sample_locator.cpp",
-        "return 4 * least < clearance * clearance ? nearest : grid_.nearest(sample, nearest);",
-        "return clearance >= 0 ? nearest : grid_.nearest(sample, nearest);",
+        "return 4 * least < clearance * clearance ? nearest : grid_.nearest(sample, {least, nearest});",
+        "return clearance >= 0 ? nearest : grid_.nearest(sample, {least, nearest});",
         ("SampleLocator.answers_as_the_network_does",),
     ),
     Mutant(
