@@ -41,13 +41,9 @@ SampleLocator::Surroundings SampleLocator::surroundings(VertexId v) const
     const Point3 &centre = mesh_.position(v);
     const Scalar spacing = meanEdge(mesh_, v);
     const NeighbourRing &ring = mesh_.ring(v);
-    Scalar least = farthestClearance * spacing;
-    least *= least;
-    grid_.forEachWithin(centre, farthestClearance * spacing, [&](VertexId u) {
-        const Scalar d = (mesh_.position(u) - centre).SquaredNorm();
-        if (d < least && u != v && !ring.contains(u))
-            least = d;
-    });
+    const Scalar least =
+        grid_.squaredClearance(centre, farthestClearance * spacing,
+                               [&](VertexId u) { return u == v || ring.contains(u); });
     return {rounding * std::sqrt(least), sheetDistance * spacing};
 }
 

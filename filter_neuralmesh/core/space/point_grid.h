@@ -47,6 +47,22 @@ public:
     /// Whether at least `count` points lie within the radius, the border included.
     bool hasWithin(const Point3 &query, Scalar radius, int count = 1) const;
 
+    /// Squared distance of the nearest point that is not left out by isLeftOut(id); that of the
+    /// radius where none is within.
+    template <class IsLeftOut>
+    Scalar squaredClearance(const Point3 &query, Scalar radius, const IsLeftOut &isLeftOut) const
+    {
+        Scalar least = radius * radius;
+        forEachRun(query, radius, [&](const Entry *first, const Entry *end) {
+            for (; first != end; ++first)
+                if (const Scalar d = (first->position - query).SquaredNorm();
+                    d < least && !isLeftOut(first->id))
+                    least = d;
+            return true;
+        });
+        return least;
+    }
+
     /// Calls visit(id) for each point within the radius, the border included.
     template <class Visit>
     void forEachWithin(const Point3 &query, Scalar radius, const Visit &visit) const

@@ -72,7 +72,21 @@ double FillingCost::sizeInFaces(const std::vector<Corners> &faces) const
     Scalar sum = 0;
     for (const Corners &face : faces)
         sum += area(triangleOf(mesh_, face));
-    return sum / (std::sqrt(Scalar(3)) / 4 * squaredEdge_);
+    return inFaces(sum);
+}
+
+double FillingCost::leastSizeInFaces(const std::vector<VertexId> &loop) const
+{
+    const Point3 &origin = mesh_.position(loop.front());
+    Point3 sum(0, 0, 0);
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+        sum += (mesh_.position(loop[i]) - origin) ^ (mesh_.position(loop[i + 1]) - origin);
+    return inFaces(sum.Norm() / 2);
+}
+
+double FillingCost::inFaces(Scalar area) const
+{
+    return area / (std::sqrt(Scalar(3)) / 4 * squaredEdge_);
 }
 
 FillingCost::Missed FillingCost::missed(const std::vector<SampleId> &samples,

@@ -33,6 +33,10 @@ public:
     /// mean of squares.
     double sizeInFaces(const std::vector<Corners> &faces) const;
 
+    /// The same of the smallest surface that any filling of the loop can be: of the loop's vector
+    /// area, which is the sum of the faces' vector areas whatever these are.
+    double leastSizeInFaces(const std::vector<VertexId> &loop) const;
+
     /// Of those of some samples, in order, that are near either of two sets of faces: their squared
     /// distances from each, by area. A limb cut short is as near to the samples as the limb; the
     /// samples are not as near to it.
@@ -69,6 +73,7 @@ public:
 
 private:
     double squaredDistance(const std::vector<Corners> &faces, const Point3 &sample) const;
+    double inFaces(Scalar area) const;
 
     const NeuralMesh &mesh_;
     const SampleSupport &support_;

@@ -84,6 +84,12 @@ private:
         if (patch.rim.size() < 4)
             return std::nullopt;
         const FillingCost cost(mesh_, support_, patch.rim);
+        const std::vector<SampleId> owned = owned_.of(patch, patches_);
+        const auto areEnough = [&](double faces) {
+            return static_cast<double>(owned.size()) >= leastOwned * owned_.perFace() * faces;
+        };
+        if (!areEnough(cost.leastSizeInFaces(patch.rim))) // of any filling: spares to look for one
+            return std::nullopt;
         std::vector<Corners> before;
         for (const FaceId face : patch.faces)
             before.push_back(faces_.corners(face));
@@ -95,9 +101,7 @@ private:
         if (!(filling.weight < leastGain * weightNow))
             return std::nullopt;
         const std::vector<Corners> after = cornersOf(patch.rim, filling.triangles);
-        const std::vector<SampleId> owned = owned_.of(patch, patches_);
-        if (static_cast<double>(owned.size()) <
-            leastOwned * owned_.perFace() * cost.sizeInFaces(after))
+        if (!areEnough(cost.sizeInFaces(after)))
             return std::nullopt;
         const FillingCost::Missed missed = cost.missed(owned, before, after);
         if (!(filling.weight + missed.after < leastGain * (weightNow + missed.before)))

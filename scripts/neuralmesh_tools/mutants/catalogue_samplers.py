@@ -82,7 +82,7 @@ SAMPLERS: tuple[Mutant, ...] = (
         "strays-link-groups",
         "strays do not join what they lie between",
         "samplers/points/outlier_filter.cpp",
-        "        if (reaches_[i] > 0 || !isAlone(pilot_[i])) {",
+        "        if (reaches_[i] > 0 || !isAlone_[i]) {",
         "        if (true) {",
         ("OutlierFilter.chance_clusters_of_strays_are_no_part",),
     ),
