@@ -6,6 +6,7 @@
     benchmark.py --quality --models bunny,dino --conditions clean --methods ours
                                                   ours alone; peers' rows come from the cache
     benchmark.py --speed                          time, as a ratio, in one process
+    benchmark.py --scale                          time against vertices, points and threads
     benchmark.py --batch                          throughput of scripts/batch.py, two workers to one
     benchmark.py --file                           time and memory on a file of 100,000,000 points
     benchmark.py --topology                       handles, parts and borders, and which are missed

@@ -4,18 +4,32 @@
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 
+from neuralmesh_tools.benchmarks import scale
 from neuralmesh_tools.benchmarks.batches import compare_workers
 from neuralmesh_tools.benchmarks.point_file import compare_file
 from neuralmesh_tools.benchmarks.speed import compare_speed
 from neuralmesh_tools.benchmarks.strays import table as strays_table
 from neuralmesh_tools.benchmarks.topology import table as topology_table
 from neuralmesh_tools.command_line import add_plugin, parser_of
+from neuralmesh_tools.files import write_in_one_step
 from neuralmesh_tools.project import PluginMissing, require_plugin
 from neuralmesh_tools.quality import table
 
 DEFAULT_VERTICES = 5000
+
+SCALE = {
+    "vertices": [1000, 10_000, 100_000],
+    "points": [100_000, 1_000_000, 2_000_000],
+    "threads": [1, 2],
+}
+"""Counts that --scale takes where none are given."""
+
+
+def _counts(text: str) -> list[int]:
+    return [int(count) for count in text.split(",")]
 
 
 def parse_arguments(description: str | None) -> argparse.Namespace:
@@ -29,6 +43,11 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     what.add_argument("--strays", action="store_true", help=text)
     text = "time against Poisson and decimation, on the bunny"
     what.add_argument("--speed", action="store_true", help=text)
+    text = "time against vertices, points and threads, on the armadillo"
+    what.add_argument("--scale", action="store_true", help=text)
+    for name, default in SCALE.items():
+        text = f"of --scale, separated by commas (default {','.join(map(str, default))})"
+        what.add_argument(f"--scale-{name}", type=_counts, default=default, metavar="N", help=text)
     text = "throughput of batches of so many small clouds (default 200)"
     what.add_argument("--batch", type=int, nargs="?", const=200, metavar="CLOUDS", help=text)
     text = (
@@ -37,7 +56,7 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     )
     what.add_argument("--file", action="store_true", help=text)
     what.add_argument("--file-points", type=int, default=100_000_000, help="(default 100000000)")
-    text = "of each, for --speed, --batch and --file (default 5)"
+    text = "of each, for --speed, --scale, --batch and --file (default 5)"
     what.add_argument("--runs", type=int, default=5, help=text)
     text = "of each result (default 5000; --quality, --topology: the model's own)"
     what.add_argument("--vertices", type=int, metavar="N", help=text)
@@ -47,9 +66,10 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     strays_table.add_options(parser)
     options = parser.parse_args()
     tables = (options.quality, options.topology, options.strays)
-    if not any((*tables, options.speed, options.batch, options.file)):
+    if not any((*tables, options.speed, options.scale, options.batch, options.file)):
         parser.error(
-            "nothing to measure: give --quality, --topology, --strays, --speed, --batch or --file"
+            "nothing to measure: give --quality, --topology, --strays, --speed, --scale, --batch "
+            "or --file"
         )
     if sum(tables) > 1:
         parser.error("--quality, --topology and --strays share options: give one of them")
@@ -60,6 +80,17 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     return options
 
 
+def _print_scale(options: argparse.Namespace) -> None:
+    chosen = scale.cases(options.scale_vertices, options.scale_points, options.scale_threads)
+    print(scale.HEADER, flush=True)
+    rows = []
+    for row in scale.measure(chosen, options.runs):
+        rows.append(row.as_json())
+        print(row.text(), flush=True)
+    if options.json:
+        write_in_one_step(options.json, json.dumps(rows, indent=1))
+
+
 def main(description: str | None) -> int:
     """Measure what the command line asks for, and return the exit code."""
     options = parse_arguments(description)
@@ -68,6 +99,8 @@ def main(description: str | None) -> int:
         if options.speed:
             plugin = require_plugin(options.plugin)
             print(compare_speed(plugin, vertices, options.runs).text(), flush=True)
+        if options.scale:
+            _print_scale(options)
         if options.batch:
             print(compare_workers(options.batch, options.runs).text(), flush=True)
         if options.file:
