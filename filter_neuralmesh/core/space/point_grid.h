@@ -78,10 +78,10 @@ public:
 
 private:
     /// Cells for each point, unless those that hold any then hold more than the latter in the mean;
-    /// but never more than the last for each point.
+    /// but never more than the last for each point, which take twice the memory of the point.
     static constexpr std::size_t cellsPerPoint = 2;
     static constexpr double mostInCell = 4;
-    static constexpr std::size_t mostCellsPerPoint = 64;
+    static constexpr std::size_t mostCellsPerPoint = 16;
 
     void sortIntoCells();
     /// Counts the points of each cell, and sets their mean.
