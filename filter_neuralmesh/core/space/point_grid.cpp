@@ -90,9 +90,11 @@ VertexId PointGrid::nearest(const Point3 &query) const
         return noVertex;
     // Cubes around the query that double until one holds a point; no other is nearer than the ball
     // through that.
-    for (Scalar radius = 1 / cells_.cellsPerUnit(); best.id == noVertex && std::isfinite(radius);
-         radius *= 2)
+    Scalar radius = 1 / cells_.cellsPerUnit();
+    while (best.id == noVertex && std::isfinite(radius)) {
         improve(query, radius, best);
+        radius *= 2;
+    }
     return nearest(query, best);
 }
 
