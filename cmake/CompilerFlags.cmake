@@ -23,7 +23,7 @@ endif()
 if(NEURALMESH_SANITIZE)
     set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all)
     if(NOT NEURALMESH_FUZZ)
-        # A check at each pointer takes a third of the tests' time. What they would find, the
+        # Checks at each pointer take up to a third of the tests' time. What they would find, the
         # address sanitizer mostly does, too; the fuzz targets keep them.
         list(APPEND sanitizers -fno-sanitize=null,alignment,pointer-overflow,vptr)
     endif()

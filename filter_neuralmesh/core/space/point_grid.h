@@ -32,8 +32,6 @@ public:
     /// Of points by any ids.
     PointGrid(const Box3 &bounds, std::vector<Entry> entries);
 
-    std::size_t size() const { return entries_.size(); }
-
     /// The mean over all cells that hold any.
     double pointsInCell() const { return pointsInCell_; }
 

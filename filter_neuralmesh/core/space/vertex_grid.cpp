@@ -228,30 +228,4 @@ VertexId VertexGrid::nearest(const Point3 &query, VertexId hint) const
     return best.id;
 }
 
-bool VertexGrid::countDown(const Cell &c, const Point3 &query, Scalar squaredRadius,
-                           int &count) const
-{
-    for (VertexId id = firstIn(c); id != noVertex; id = entries_[id].next)
-        if ((entries_[id].position - query).SquaredNorm() <= squaredRadius && --count <= 0)
-            return true;
-    return false;
-}
-
-bool VertexGrid::hasWithin(const Point3 &query, Scalar radius, int count) const
-{
-    const Scalar squaredRadius = radius * radius;
-    const Cell own = cells_.at(query);
-    if (countDown(own, query, squaredRadius, count))
-        return true;
-    const Cell low = cells_.at(query - Point3(radius, radius, radius));
-    const Cell high = cells_.at(query + Point3(radius, radius, radius));
-    for (int z = low.z; z <= high.z; ++z)
-        for (int y = low.y; y <= high.y; ++y)
-            for (int x = low.x; x <= high.x; ++x)
-                if ((x != own.x || y != own.y || z != own.z) &&
-                    countDown({x, y, z}, query, squaredRadius, count))
-                    return true;
-    return false;
-}
-
 } // namespace neuralmesh

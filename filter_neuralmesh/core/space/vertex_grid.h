@@ -36,9 +36,6 @@ public:
     /// in an empty grid. A hint, any vertex that may be near, saves time and changes nothing.
     VertexId nearest(const Point3 &query, VertexId hint = noVertex) const;
 
-    /// Whether at least `count` vertices lie within the radius, the border included.
-    bool hasWithin(const Point3 &query, Scalar radius, int count = 1) const;
-
     /// Calls visit(id) for each vertex within the radius, the border included.
     template <class Visit>
     void forEachWithin(const Point3 &query, Scalar radius, const Visit &visit) const
@@ -107,8 +104,6 @@ private:
     /// Links all vertices; returns how many of them there are for each cell that holds any.
     double linkAll();
     void improve(const Cell &c, const Point3 &query, Candidate &best) const;
-    /// Takes the vertices of a cell within the radius off `count`; whether none is left to find.
-    bool countDown(const Cell &c, const Point3 &query, Scalar squaredRadius, int &count) const;
 
     Box3 bounds_;
     GridCells cells_;

@@ -104,7 +104,7 @@ OutlierFilter::OutlierFilter(const std::vector<Point3> &drawn, bool isWhole)
     Box3 inFrame;
     std::size_t outliers = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        if (isInSmallGroup_[i] || (isAlone_[i] && !(reaches_[i] > 0))) {
+        if (isDirtNear(i, 0, isAlone_[i])) {
             ++outliers;
             continue;
         }
@@ -178,10 +178,14 @@ void OutlierFilter::findSmallGroups()
 bool OutlierFilter::isDirt(const Point3 &inFrame) const
 {
     const VertexId nearest = pilotGrid_.nearest(inFrame);
-    if (isInSmallGroup_[nearest])
-        return true;
-    const double distance = (pilot_[nearest] - inFrame).Norm();
-    return isAlone(inFrame) && !(reaches_[nearest] > 0 && distance <= reaches_[nearest]);
+    return isDirtNear(nearest, (pilot_[nearest] - inFrame).Norm(), isAlone(inFrame));
+}
+
+/// Of a place so far from the pilot point that is the nearest to it.
+bool OutlierFilter::isDirtNear(std::size_t pilot, double distance, bool isAlone) const
+{
+    return isInSmallGroup_[pilot] ||
+           (isAlone && !(reaches_[pilot] > 0 && distance <= reaches_[pilot]));
 }
 
 bool OutlierFilter::isAlone(const Point3 &inFrame) const

@@ -56,6 +56,7 @@ private:
     void findSparseParts();
     void findSmallGroups();
     bool isDirt(const Point3 &inFrame) const;
+    bool isDirtNear(std::size_t pilot, double distance, bool isAlone) const;
     bool isAlone(const Point3 &inFrame) const;
 
     RobustFrame frame_;

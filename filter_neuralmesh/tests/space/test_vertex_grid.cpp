@@ -34,8 +34,9 @@ void churn(const Box3 &bounds, std::uint64_t seed, int operations)
             hint = id;
             const Scalar radius = 0.3 * random.unit();
             const int within = countWithin(positions, p, radius);
-            ASSERT_EQ(grid.hasWithin(p, radius), within >= 1);
-            ASSERT_EQ(grid.hasWithin(p, radius, 3), within >= 3);
+            int visited = 0;
+            grid.forEachWithin(p, radius, [&](VertexId) { ++visited; });
+            ASSERT_EQ(visited, within);
         }
         ASSERT_EQ(grid.size(), positions.size());
     }

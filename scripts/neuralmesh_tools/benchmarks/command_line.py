@@ -75,6 +75,8 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
         parser.error("--quality, --topology and --strays share options: give one of them")
     if options.vertices is not None and options.vertices < 4:
         parser.error("--vertices must be at least 4")
+    if min(options.scale_vertices) < 4 or min(options.scale_points) < 4:
+        parser.error("--scale-vertices and --scale-points must be at least 4")
     strays_table.check_options(parser, options)
     (topology_table if options.topology else table).check_options(parser, options)
     return options

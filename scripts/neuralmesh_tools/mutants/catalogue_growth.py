@@ -246,6 +246,14 @@ GROWTH: tuple[Mutant, ...] = (
         ("WebRemoval.a_wall_that_was_not_scanned_stays",),
     ),
     Mutant(
+        "twice-the-vector-area",
+        "no web is left unfilled of which a filling could have samples enough",
+        "core/topology/filling_cost.cpp",
+        "return inFaces(sum.Norm() / 2);",
+        "return inFaces(sum.Norm());",
+        ("FillingCost.no_filling_is_smaller_than_the_loops_vector_area",),
+    ),
+    Mutant(
         "fillings-have-all-samples",
         "samples of what is beside a web are not missed by what fills it",
         "core/topology/filling_cost.cpp",
