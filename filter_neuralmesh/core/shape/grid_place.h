@@ -84,6 +84,14 @@ inline vcg::Point3f gradientAt(const Grid &grid, const GridPlace &p)
             along(1, p.z, sx, p.x, sy, p.y)};
 }
 
+/// How far the place lies beyond the level 0, on the side where the grid is positive, in cells: by
+/// the value there and its slope (Taubin 1991). It must lie a cell or more from the border.
+inline double cellsBeyondLevel(const Grid &grid, const GridPlace &p)
+{
+    return static_cast<double>(interpolate(grid, p)) /
+           static_cast<double>(gradientAt(grid, p).Norm());
+}
+
 /// The adjoint of -gradientAt(): adds the divergence of the vector, spread to the nodes around.
 inline void splatDivergence(Grid &grid, const GridPlace &p, const vcg::Point3f &vector)
 {

@@ -4,16 +4,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/shape/grid_place.h"
 #include "core/topology/closure_cost.h"
 
 namespace neuralmesh {
+namespace {
+
+/// Points that lie so many cells inside are not of the field's surface.
+constexpr double deep = 1;
+/// But of its noise, which reaches as far to both sides: where so many lie as far outside, for each
+/// of them, none counts.
+constexpr double mostNoise = 1.0 / 3;
+
+} // namespace
+
 OutsideFlood::OutsideFlood(const Grid &inside, const std::vector<Point3> &points, double reach)
-    : inside_(inside),
+    : inside_(inside), points_(points), reach_(reach),
       steps_{inside.strideX(), -inside.strideX(), inside.strideY(), -inside.strideY(), 1, -1},
       states_(inside.size(), State::unseen), outside_(inside.size(), 0)
 {
     markBorder();
-    markCrust(points, reach);
+    markCrust();
     flood();
     for (std::size_t i = 0; i < states_.size(); ++i)
         outside_[i] =
@@ -21,24 +32,30 @@ OutsideFlood::OutsideFlood(const Grid &inside, const std::vector<Point3> &points
     judgePockets();
 }
 
-void OutsideFlood::markCrust(const std::vector<Point3> &points, double reach)
+/// Calls visit(node) for the inner nodes that a point's crust takes in.
+template <class Visit>
+void OutsideFlood::forEachAround(const Point3 &point, const Visit &visit) const
 {
     const GridSize &cells = inside_.cells();
     const int lasts[3] = {cells.x - 1, cells.y - 1, cells.z - 1};
-    for (const Point3 &point : points) {
-        const Point3 centre = point * inside_.resolution();
-        int low[3];
-        int high[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::max(1, static_cast<int>(std::ceil(centre[axis] - reach)));
-            high[axis] = std::min(lasts[axis], static_cast<int>(std::floor(centre[axis] + reach)));
-        }
-        for (int x = low[0]; x <= high[0]; ++x)
-            for (int y = low[1]; y <= high[1]; ++y)
-                for (int z = low[2]; z <= high[2]; ++z)
-                    if ((Point3(x, y, z) - centre).SquaredNorm() <= reach * reach)
-                        states_[inside_.index(x, y, z)] = State::crust;
+    const Point3 centre = point * inside_.resolution();
+    int low[3];
+    int high[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = std::max(1, static_cast<int>(std::ceil(centre[axis] - reach_)));
+        high[axis] = std::min(lasts[axis], static_cast<int>(std::floor(centre[axis] + reach_)));
     }
+    for (int x = low[0]; x <= high[0]; ++x)
+        for (int y = low[1]; y <= high[1]; ++y)
+            for (int z = low[2]; z <= high[2]; ++z)
+                if ((Point3(x, y, z) - centre).SquaredNorm() <= reach_ * reach_)
+                    visit(inside_.index(x, y, z));
+}
+
+void OutsideFlood::markCrust()
+{
+    for (const Point3 &point : points_)
+        forEachAround(point, [&](std::size_t node) { states_[node] = State::crust; });
 }
 
 /// The border is a way to everywhere.
@@ -108,6 +125,41 @@ void OutsideFlood::judgePockets()
             judgePocket(i);
 }
 
+/// Where its points are deep inside, by the field, a crust has a second surface beside the one that
+/// the field has there: by node, points that are hidden less those that are not.
+void OutsideFlood::findHidden()
+{
+    std::vector<bool> isHidden;
+    isHidden.reserve(points_.size());
+    std::size_t hidden = 0;
+    std::size_t without = 0;
+    for (const Point3 &point : points_) {
+        const double depth = cellsBeyondLevel(inside_, placeInGrid(inside_, point));
+        isHidden.push_back(depth > deep);
+        hidden += depth > deep ? 1 : 0;
+        without += depth < -deep ? 1 : 0;
+    }
+    hidden_.assign(states_.size(), 0);
+    if (static_cast<double>(without) > mostNoise * static_cast<double>(hidden))
+        return;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        forEachAround(points_[i], [&](std::size_t node) { hidden_[node] += isHidden[i] ? 1 : -1; });
+}
+
+/// Faces between the pocket and the crust around points that the field explains.
+std::size_t OutsideFlood::countExplained(const std::vector<std::size_t> &pocket)
+{
+    if (hidden_.empty())
+        findHidden();
+    std::size_t explained = 0;
+    for (const std::size_t i : pocket)
+        for (const std::ptrdiff_t step : steps_) {
+            const std::size_t j = i + static_cast<std::size_t>(step);
+            explained += states_[j] == State::crust && hidden_[j] <= 0 ? 1 : 0;
+        }
+    return explained;
+}
+
 void OutsideFlood::judgePocket(std::size_t seed)
 {
     nodes_.assign(1, seed);
@@ -127,7 +179,12 @@ void OutsideFlood::judgePocket(std::size_t seed)
             }
         }
     // A blob on a flat sheet has a membrane that is larger than what it stands on.
-    if (static_cast<double>(membrane) <= largeDisc * static_cast<double>(sheet))
+    const auto isLarge = [&] {
+        return static_cast<double>(membrane) > largeDisc * static_cast<double>(sheet);
+    };
+    if (!isLarge())
+        sheet = countExplained(nodes_);
+    if (!isLarge())
         return;
     doubled_ += sheet;
     for (const std::size_t i : nodes_)

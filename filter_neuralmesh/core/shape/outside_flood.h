@@ -2,6 +2,7 @@
 // What is outside for sure, because a way leads there from far away.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/shape/grid.h"
@@ -14,7 +15,9 @@ namespace neuralmesh {
 /// Where the two agree, a node is outside. Where the flood reaches nodes that are taken for inside,
 /// either the points have a hole that the field closes by a membrane, or the field has bulged out
 /// of a thin sheet. The cheaper closure decides: a membrane, or the sheet doubled. A pocket whose
-/// membrane is large, compared with the sheet that it closes, is outside.
+/// membrane is large, compared with the sheet that it closes, is outside. Where points lie deep
+/// inside, as those of a cup's inner wall do behind the membrane over its mouth, a second side
+/// costs nothing: it has its points.
 class OutsideFlood {
 public:
     /// Points in the grid's box. `reach` is the thickness of the crust to each side, in cells: the
@@ -32,18 +35,24 @@ private:
     enum class State : unsigned char { unseen, crust, flooded, judged, border };
 
     void markBorder();
-    void markCrust(const std::vector<Point3> &points, double reach);
+    template <class Visit> void forEachAround(const Point3 &point, const Visit &visit) const;
+    void markCrust();
     void flood();
     void floodSpan(std::size_t seed);
     void judgePockets();
     void judgePocket(std::size_t seed);
+    void findHidden();
+    std::size_t countExplained(const std::vector<std::size_t> &pocket);
 
     const Grid &inside_;
+    const std::vector<Point3> &points_;
+    double reach_;
     std::ptrdiff_t steps_[6];
     std::vector<State> states_;
     std::vector<unsigned char> outside_;
-    std::vector<std::size_t> nodes_; ///< scratch
-    std::size_t doubled_ = 0;        ///< faces between the crust and pockets that are outside
+    std::vector<std::int32_t> hidden_; ///< by node; made when it is first needed
+    std::vector<std::size_t> nodes_;   ///< scratch
+    std::size_t doubled_ = 0;          ///< faces between the crust and pockets that are outside
 };
 
 } // namespace neuralmesh

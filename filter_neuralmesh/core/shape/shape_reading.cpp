@@ -129,8 +129,7 @@ LevelSurface judge(TriangleSoup soup, const std::vector<Point3> &points, int rea
 double unexplainedShare(const Grid &inside, const std::vector<Point3> &points)
 {
     const auto isFar = [&](const Point3 &p) {
-        const GridPlace place = placeInGrid(inside, p);
-        return std::abs(interpolate(inside, place)) > gradientAt(inside, place).Norm();
+        return std::abs(cellsBeyondLevel(inside, placeInGrid(inside, p))) > 1;
     };
     const auto far = std::count_if(points.begin(), points.end(), isFar);
     return static_cast<double>(far) / static_cast<double>(points.size());

@@ -105,6 +105,25 @@ TEST(CoarseShape, finds_the_handle_of_a_torus)
     expectShape(test::torusPoints(3000, 1, 0.4, 1), 1, 1);
 }
 
+/// The inside and the outside of a vase, an ellipsoid of half-axes 1, 1 and 2 with a round mouth on
+/// top; its brim is left out.
+test::Points vase(std::size_t count, double thickness, double mouth)
+{
+    test::Points points;
+    for (const Point3 &p : test::spherePoints(count, 1)) {
+        const double radius = points.size() % 2 == 0 ? 1 : 1 - thickness;
+        if (p.Z() < 0 || radius * std::hypot(p.X(), p.Y()) > mouth)
+            points.push_back(Point3(p.X(), p.Y(), 2 * p.Z()) * radius);
+    }
+    return points;
+}
+
+TEST(CoarseShape, finds_the_inner_wall_of_a_vase)
+{
+    // 1.5 cells thick on the second grid, on which a membrane closes the mouth.
+    expectShape(vase(20000, 0.1, 0.5), 1, 0);
+}
+
 TEST(CoarseShape, finds_two_parts)
 {
     expectShape(test::together(test::moved(sphere(), 1, {-1.5, 0, 0}),

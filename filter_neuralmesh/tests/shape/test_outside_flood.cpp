@@ -98,6 +98,41 @@ TEST(OutsideFlood, leaves_a_ball_whose_hole_a_small_membrane_closes)
         << "The flood does not pass the hole.";
 }
 
+/// A wall of points around the centre, below a height: those of a sphere, each moved along its
+/// radius by what move(point's number) says, in cells.
+template <class Move> test::Points wall(double radius, double height, const Move &move)
+{
+    test::Points points;
+    int number = 0;
+    for (const Point3 &p : test::spherePoints(20000, 1))
+        if (p.Z() <= height)
+            points.push_back(centre + p * (radius + move(number++) / resolution));
+    return points;
+}
+
+TEST(OutsideFlood, opens_a_mouth_behind_which_a_second_side_has_points)
+{
+    // Of the sphere, the same small part is missing; the field closes it by a membrane.
+    constexpr double radius = 0.35;
+    constexpr double height = 1 - 2.0 / 16;
+    constexpr double thickness = 2.5;
+    const auto inAndOut = [](int i) { return i % 2 == 0 ? 0 : -thickness; };
+    const OutsideFlood flood(ball(cube, radius, centre), wall(radius, height, inAndOut), reach);
+    EXPECT_TRUE(isOutside(flood, centre));
+    EXPECT_LT(flood.doubledShare(), 0.1); // both sides have points: nothing but the brim is doubled
+}
+
+TEST(OutsideFlood, takes_noise_for_no_second_side)
+{
+    // Half of the points are off, as far to the one side as to the other.
+    constexpr double radius = 0.3;
+    constexpr double height = 1 - 2.0 / 16;
+    constexpr double noise = 2.5;
+    const auto toBothSides = [](int i) { return i % 2 == 0 ? 0 : i % 4 == 1 ? noise : -noise; };
+    const OutsideFlood flood(ball(cube, radius, centre), wall(radius, height, toBothSides), reach);
+    EXPECT_FALSE(isOutside(flood, centre));
+}
+
 TEST(OutsideFlood, takes_back_a_blob_on_a_thin_sheet)
 {
     // Half a ball on a sheet: its free surface is twice the disc that it stands on.

@@ -141,10 +141,28 @@ SHAPE: tuple[Mutant, ...] = (
         "membranes-never-close",
         "a pocket behind a small membrane is inside",
         _FLOOD,
-        "    if (static_cast<double>(membrane) <= largeDisc * static_cast<double>(sheet))\n"
-        "        return;",
-        "    static_cast<void>(membrane);",
+        "    if (!isLarge())\n        return;",
+        "",
         ("OutsideFlood.leaves_a_ball_whose_hole_a_small_membrane_closes",),
+    ),
+    Mutant(
+        "inner-walls-stay-inside",
+        "a second side that has points costs nothing",
+        _FLOOD,
+        "        sheet = countExplained(nodes_);",
+        "        return;",
+        (
+            "OutsideFlood.opens_a_mouth_behind_which_a_second_side_has_points",
+            "CoarseShape.finds_the_inner_wall_of_a_vase",
+        ),
+    ),
+    Mutant(
+        "noise-is-a-second-side",
+        "points that noise has taken inside are no second side",
+        _FLOOD,
+        "constexpr double mostNoise = 1.0 / 3;",
+        "constexpr double mostNoise = 10;",
+        ("OutsideFlood.takes_noise_for_no_second_side",),
     ),
     Mutant(
         "sheets-are-solids",
