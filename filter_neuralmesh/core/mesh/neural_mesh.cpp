@@ -34,6 +34,25 @@ void NeuralMesh::removeVertex(VertexId v)
         follower->vertexRemoved(v);
 }
 
+void NeuralMesh::compact()
+{
+    assert(followers_.empty());
+    std::vector<VertexId> idNow(vert.size(), noVertex);
+    std::vector<NeuralVertex> live;
+    live.reserve(static_cast<std::size_t>(vn));
+    for (VertexId v = 0; v < idBound(); ++v)
+        if (isLive(v)) {
+            idNow[v] = static_cast<VertexId>(live.size());
+            live.push_back(std::move(vert[v]));
+        }
+    for (NeuralVertex &vertex : live)
+        for (int place = 0; place < vertex.cR().size(); ++place)
+            vertex.R().set(place, idNow[vertex.cR()[place]]);
+    Clear();
+    vert = std::move(live);
+    vn = static_cast<int>(vert.size());
+}
+
 void NeuralMesh::copyNetwork(const NeuralMesh &other)
 {
     Clear();

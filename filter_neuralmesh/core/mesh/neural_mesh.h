@@ -60,6 +60,10 @@ public:
     /// Removes a vertex that no other is joined to any more.
     void removeVertex(VertexId v);
 
+    /// Gives the vertices the ids from 0 on, in their order, and lets go of the other slots. Faces
+    /// go. Nothing may follow this mesh.
+    void compact();
+
     /// Makes this the other's network: its vertices by the same ids, without faces. Nothing may
     /// follow this mesh.
     void copyNetwork(const NeuralMesh &other);

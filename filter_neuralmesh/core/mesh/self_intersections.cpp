@@ -5,9 +5,9 @@
 #include <utility>
 
 #include <vcg/complex/algorithms/clean.h>
-#include <vcg/space/index/grid_static_ptr.h>
 
 #include "core/mesh/ring_topology.h"
+#include "core/space/box_tree.h"
 
 namespace neuralmesh {
 namespace {
@@ -15,30 +15,23 @@ namespace {
 /// Faces that a thread tests at a time.
 constexpr std::size_t facesOfChunk = 512;
 
-using FaceGrid = vcg::GridStaticPtr<NeuralFace, Scalar>;
-
-/// What the grid asks so as to find a face once: threads share no marks, so it finds it once for
-/// each cell.
-struct NoMarks {
-    void UnMarkAll() {}
-    bool IsMarked(const NeuralFace *) const { return false; }
-    void Mark(const NeuralFace *) {}
-};
-
-/// Faces after this one that intersect it, and then this one.
-void addPartners(NeuralFace &face, FaceGrid &grid, std::vector<NeuralFace *> &found)
+Box3 boundsOf(const NeuralFace &face)
 {
     Box3 bounds;
     face.GetBBox(bounds);
-    std::vector<NeuralFace *> near;
-    NoMarks marks;
-    grid.GetInBox(marks, bounds, near);
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return bounds;
+}
+
+/// Faces after this one that intersect it, and then this one.
+void addPartners(NeuralMesh &mesh, NeuralFace &face, const BoxTree &boxes,
+                 std::vector<NeuralFace *> &found)
+{
     const std::size_t before = found.size();
-    for (NeuralFace *other : near)
+    boxes.forEachMeeting(boundsOf(face), [&](std::uint32_t i) {
+        NeuralFace *other = &mesh.face[i];
         if (other > &face && vcg::tri::Clean<NeuralMesh>::TestFaceFaceIntersection(&face, other))
             found.push_back(other);
+    });
     if (found.size() > before)
         found.push_back(&face);
 }
@@ -48,14 +41,17 @@ void addPartners(NeuralFace &face, FaceGrid &grid, std::vector<NeuralFace *> &fo
 SelfIntersections findSelfIntersections(NeuralMesh &mesh, Workers &workers)
 {
     rebuildFaces(mesh);
-    FaceGrid grid;
-    grid.Set(mesh.face.begin(), mesh.face.end());
+    std::vector<Box3> bounds;
+    bounds.reserve(mesh.face.size());
+    for (const NeuralFace &face : mesh.face)
+        bounds.push_back(boundsOf(face));
+    const BoxTree boxes(std::move(bounds));
     std::vector<std::vector<NeuralFace *>> ofChunks(mesh.face.size() / facesOfChunk + 1);
-    workers.forEachChunk(mesh.face.size(), facesOfChunk,
-                         [&](std::size_t first, std::size_t end, int) {
-                             for (std::size_t i = first; i < end; ++i)
-                                 addPartners(mesh.face[i], grid, ofChunks[first / facesOfChunk]);
-                         });
+    workers.forEachChunk(
+        mesh.face.size(), facesOfChunk, [&](std::size_t first, std::size_t end, int) {
+            for (std::size_t i = first; i < end; ++i)
+                addPartners(mesh, mesh.face[i], boxes, ofChunks[first / facesOfChunk]);
+        });
     SelfIntersections found;
     std::vector<VertexId> &corners = found.corners;
     for (const std::vector<NeuralFace *> &faces : ofChunks) {

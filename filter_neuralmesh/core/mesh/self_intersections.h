@@ -13,8 +13,8 @@ struct SelfIntersections {
     std::vector<VertexId> corners; ///< of these, ascending
 };
 
-/// Makes the mesh's faces anew, and tests those that share a cell of a grid with each other, as VCG
-/// does. The mesh stays as it is where the watch of the workers throws.
+/// Makes the mesh's faces anew, and tests those whose boxes meet with each other, as VCG does. The
+/// mesh stays as it is where the watch of the workers throws.
 SelfIntersections findSelfIntersections(NeuralMesh &mesh, Workers &workers);
 SelfIntersections findSelfIntersections(NeuralMesh &mesh);
 

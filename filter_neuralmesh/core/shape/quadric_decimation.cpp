@@ -218,6 +218,7 @@ void decimate(NeuralMesh &mesh, int vertices)
         collapseShortEdges(mesh, length, vertices);
     } while (mesh.vn < before * 0.9);
     Decimation(mesh).run(vertices);
+    mesh.compact(); // a thousandth of the slots may be in use, and all of them are walked through
 }
 
 } // namespace neuralmesh

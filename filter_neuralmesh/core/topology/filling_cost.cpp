@@ -72,46 +72,41 @@ double FillingCost::sizeInFaces(const std::vector<Corners> &faces) const
     Scalar sum = 0;
     for (const Corners &face : faces)
         sum += area(triangleOf(mesh_, face));
-    return inFaces(sum);
+    return sum / (std::sqrt(Scalar(3)) / 4 * squaredEdge_);
 }
 
-double FillingCost::leastSizeInFaces(const std::vector<VertexId> &loop) const
+std::vector<FillingCost::Missed> FillingCost::missed(const std::vector<OwnedSample> &samples,
+                                                     const std::vector<Corners> &faces) const
 {
-    const Point3 &origin = mesh_.position(loop.front());
-    Point3 sum(0, 0, 0);
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-        sum += (mesh_.position(loop[i]) - origin) ^ (mesh_.position(loop[i + 1]) - origin);
-    return inFaces(sum.Norm() / 2);
-}
-
-double FillingCost::inFaces(Scalar area) const
-{
-    return area / (std::sqrt(Scalar(3)) / 4 * squaredEdge_);
-}
-
-FillingCost::Missed FillingCost::missed(const std::vector<SampleId> &samples,
-                                        const std::vector<Corners> &before,
-                                        const std::vector<Corners> &after) const
-{
-    Missed missed{0, 0};
-    for (const std::vector<Corners> *faces : {&before, &after})
-        for (const Corners &face : *faces) {
-            const Triangle t = triangleOf(mesh_, face);
-            const Point3 centre = (t.a + t.b + t.c) / 3;
-            const Scalar share = area(t) / 4;
-            const auto towards = [&](const Point3 &corner) {
-                return centre * (1 - towardsCorner) + corner * towardsCorner;
-            };
-            for (const Point3 &place : {centre, towards(t.a), towards(t.b), towards(t.c)}) {
-                const SampleId nearest = support_.nearestId(place);
-                if (!std::binary_search(samples.begin(), samples.end(), nearest))
-                    continue;
-                const Point3 &sample = support_.samples()[nearest];
-                missed.before += share * squaredDistance(before, sample);
-                missed.after += share * squaredDistance(after, sample);
-            }
+    std::vector<Missed> found;
+    for (const Corners &face : faces) {
+        const Triangle t = triangleOf(mesh_, face);
+        const Point3 centre = (t.a + t.b + t.c) / 3;
+        const auto towards = [&](const Point3 &corner) {
+            return centre * (1 - towardsCorner) + corner * towardsCorner;
+        };
+        for (const Point3 &place : {centre, towards(t.a), towards(t.b), towards(t.c)}) {
+            const SampleId id = support_.nearestId(place);
+            const auto sample = std::lower_bound(
+                samples.begin(), samples.end(), id,
+                [](const OwnedSample &owned, SampleId wanted) { return owned.id < wanted; });
+            if (sample != samples.end() && sample->id == id)
+                found.push_back({support_.samples()[id], area(t) / 4, sample->squaredDistance});
         }
-    return missed;
+    }
+    return found;
+}
+
+bool FillingCost::areFurther(const std::vector<Missed> &samples, const std::vector<Corners> &faces,
+                             double most) const
+{
+    double sum = 0;
+    for (const Missed &missed : samples) {
+        sum += missed.area * squaredDistance(faces, missed.sample);
+        if (!(sum < most))
+            return true;
+    }
+    return false;
 }
 
 double FillingCost::squaredDistance(const std::vector<Corners> &faces, const Point3 &sample) const

@@ -8,6 +8,7 @@
 #include "core/mesh/face_table.h"
 #include "core/mesh/loop_triangulation.h"
 #include "core/mesh/neural_mesh.h"
+#include "core/topology/owned_samples.h"
 #include "core/topology/sample_support.h"
 
 namespace neuralmesh {
@@ -33,18 +34,21 @@ public:
     /// mean of squares.
     double sizeInFaces(const std::vector<Corners> &faces) const;
 
-    /// The same of the smallest surface that any filling of the loop can be: of the loop's vector
-    /// area, which is the sum of the faces' vector areas whatever these are.
-    double leastSizeInFaces(const std::vector<VertexId> &loop) const;
-
-    /// Of those of some samples, in order, that are near either of two sets of faces: their squared
-    /// distances from each, by area. A limb cut short is as near to the samples as the limb; the
-    /// samples are not as near to it.
+    /// A sample that the faces should be near to, and how much it weighs.
     struct Missed {
-        double before, after;
+        Point3 sample;
+        Scalar area;
+        Scalar squaredDistance; ///< from the mesh
     };
-    Missed missed(const std::vector<SampleId> &samples, const std::vector<Corners> &before,
-                  const std::vector<Corners> &after) const;
+
+    /// Those of some samples, in order, that are nearest to places on the faces. A limb cut short
+    /// is as near to the samples as the limb; the samples are not as near to it.
+    std::vector<Missed> missed(const std::vector<OwnedSample> &samples,
+                               const std::vector<Corners> &faces) const;
+
+    /// Whether the samples are further from the faces than that, in sum. Then looks no further.
+    bool areFurther(const std::vector<Missed> &samples, const std::vector<Corners> &faces,
+                    double most) const;
 
     /// The filling of least weight of a loop, its faces to the left. No diagonal is an edge for
     /// which `isTaken`.
@@ -73,7 +77,6 @@ public:
 
 private:
     double squaredDistance(const std::vector<Corners> &faces, const Point3 &sample) const;
-    double inFaces(Scalar area) const;
 
     const NeuralMesh &mesh_;
     const SampleSupport &support_;

@@ -9,7 +9,7 @@
 namespace neuralmesh {
 OwnedSamples::OwnedSamples(const NeuralMesh &mesh, const FaceTable &faces,
                            const SampleSupport &support)
-    : mesh_(mesh), faces_(faces), support_(support), nearest_(support.samples().size(), noVertex)
+    : mesh_(mesh), faces_(faces), support_(support), feet_(support.samples().size())
 {
 }
 
@@ -18,48 +18,51 @@ double OwnedSamples::perFace() const
     return static_cast<double>(support_.samples().size()) / faces_.size();
 }
 
-std::vector<SampleId> OwnedSamples::of(const Patch &patch, const PatchSearch &patches)
+std::vector<OwnedSample> OwnedSamples::of(const Patch &patch, const PatchSearch &patches)
 {
     Box3 box;
     for (const std::vector<VertexId> *vertices : {&patch.rim, &patch.interior})
         for (const VertexId v : *vertices)
             box.Add(mesh_.position(v));
-    std::vector<SampleId> found;
+    std::vector<OwnedSample> found;
     support_.forEachWithin(box.Center(), box.Diag() / 2, [&](SampleId sample) {
-        if (isOwned(sample, patches))
-            found.push_back(sample);
+        const Foot &foot = footOf(sample);
+        if (isOnPatch(foot, patches))
+            found.push_back({sample, foot.squaredDistance});
     });
-    std::sort(found.begin(), found.end());
+    std::sort(found.begin(), found.end(),
+              [](const OwnedSample &a, const OwnedSample &b) { return a.id < b.id; });
     return found;
 }
 
-VertexId OwnedSamples::nearestVertex(SampleId sample)
+const OwnedSamples::Foot &OwnedSamples::footOf(SampleId sample)
 {
+    Foot &foot = feet_[sample];
+    if (foot.corners[0] != noVertex)
+        return foot;
     if (!vertices_)
         vertices_.emplace(verticesOf(mesh_, support_.bounds()));
-    if (nearest_[sample] == noVertex)
-        nearest_[sample] = vertices_->nearest(support_.samples()[sample]);
-    return nearest_[sample];
-}
-
-/// Whether the nearest point of the mesh lies on a face of the patch. On an edge or a corner it is
-/// of all faces there.
-bool OwnedSamples::isOwned(SampleId sample, const PatchSearch &patches)
-{
-    const StarProjection p =
-        projectOnStar(mesh_, nearestVertex(sample), support_.samples()[sample]);
-    VertexId at[3];
-    VertexId *end = at;
+    const Point3 &position = support_.samples()[sample];
+    const StarProjection p = projectFromStarToStar(mesh_, vertices_->nearest(position), position);
+    std::size_t corner = 0;
     for (int k = 0; k < 3; ++k)
         if (p.weights[k] > 0)
-            *end++ = p.corners[k];
-    for (int i = 0; i < mesh_.valence(at[0]); ++i) {
-        const FaceId face = faces_.around(at[0], i);
+            foot.corners[corner++] = p.corners[k];
+    foot.squaredDistance = p.squaredDistance;
+    return foot;
+}
+
+/// A point on an edge or a corner is of all faces there.
+bool OwnedSamples::isOnPatch(const Foot &foot, const PatchSearch &patches) const
+{
+    const auto end = std::find(foot.corners.begin(), foot.corners.end(), noVertex);
+    for (int i = 0; i < mesh_.valence(foot.corners[0]); ++i) {
+        const FaceId face = faces_.around(foot.corners[0], i);
         const Corners &corners = faces_.corners(face);
         const auto isCorner = [&](VertexId v) {
             return std::find(corners.begin(), corners.end(), v) != corners.end();
         };
-        if (patches.contains(face) && std::all_of(at, end, isCorner))
+        if (patches.contains(face) && std::all_of(foot.corners.begin(), end, isCorner))
             return true;
     }
     return false;

@@ -2,6 +2,7 @@
 // The samples that are nearer to a patch of the mesh than to all that is beside it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -13,28 +14,39 @@
 
 namespace neuralmesh {
 
-/// Holds references: nothing of the mesh may change meanwhile. Each sample's nearest vertex is
-/// looked for when it is first needed.
+struct OwnedSample {
+    SampleId id;
+    Scalar squaredDistance; ///< from the mesh
+};
+
+/// Holds references: nothing of the mesh may change meanwhile. Each sample's nearest point of the
+/// mesh is looked for once, when it is first needed.
 class OwnedSamples {
 public:
     OwnedSamples(const NeuralMesh &mesh, const FaceTable &faces, const SampleSupport &support);
 
     /// The samples that are nearest to the patch, which must be the one found last, in order, with
     /// those that are nearest to its rim. Looked at are the faces around a sample's nearest vertex.
-    std::vector<SampleId> of(const Patch &patch, const PatchSearch &patches);
+    std::vector<OwnedSample> of(const Patch &patch, const PatchSearch &patches);
 
     /// So many samples a face of the mesh has in the mean.
     double perFace() const;
 
 private:
-    VertexId nearestVertex(SampleId sample);
-    bool isOwned(SampleId sample, const PatchSearch &patches);
+    /// The nearest point of the mesh: on a face, an edge or a vertex. Other corners are noVertex.
+    struct Foot {
+        std::array<VertexId, 3> corners{noVertex, noVertex, noVertex};
+        Scalar squaredDistance = 0;
+    };
+
+    const Foot &footOf(SampleId sample);
+    bool isOnPatch(const Foot &foot, const PatchSearch &patches) const;
 
     const NeuralMesh &mesh_;
     const FaceTable &faces_;
     const SampleSupport &support_;
     std::optional<PointGrid> vertices_; ///< made when it is first needed
-    std::vector<VertexId> nearest_;     ///< by sample; noVertex where it was not asked for
+    std::vector<Foot> feet_;            ///< by sample; without corners where it was not asked for
 };
 
 } // namespace neuralmesh

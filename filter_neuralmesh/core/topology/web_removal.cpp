@@ -18,6 +18,9 @@ constexpr PatchExtent extents[] = {PatchExtent::core, PatchExtent::dilated};
 constexpr std::size_t facesToDilate = 6;
 /// The longest rim that is filled, for time, which grows with its cube.
 constexpr std::size_t longestRim = 600;
+/// Diagonals of all rims that a search fills, for each vertex: a crumpled mesh has hundreds of long
+/// ones, and no filling mends it.
+constexpr double mostDiagonals = 20;
 /// A filling must be so much better than the web, in squared distance.
 constexpr double leastGain = 0.5;
 /// Samples that are nearest to the web, as a share of those that so much mesh as the filling has. A
@@ -29,7 +32,8 @@ class WebSearch {
 public:
     WebSearch(const NeuralMesh &mesh, const SampleSupport &support)
         : mesh_(mesh), support_(support), faces_(mesh), patches_(mesh, faces_, support),
-          owned_(mesh, faces_, support), isTaken_(mesh.idBound(), 0)
+          owned_(mesh, faces_, support), isTaken_(mesh.idBound(), 0),
+          diagonalsLeft_(mostDiagonals * mesh.vn)
     {
     }
 
@@ -54,7 +58,7 @@ private:
             if (!patch)
                 continue;
             faces = patch->faces.size();
-            if (patch->rim.size() <= longestRim && isFree(*patch))
+            if (patch->rim.size() <= longestRim && isFree(*patch) && pay(*patch))
                 if (std::optional<Refilling> refilling = betterFilling(*patch)) {
                     take(*patch);
                     found_.push_back(std::move(*refilling));
@@ -71,6 +75,17 @@ private:
                std::none_of(patch.interior.begin(), patch.interior.end(), isTaken);
     }
 
+    /// Whether there is time for a filling.
+    bool pay(const Patch &patch)
+    {
+        const auto corners = static_cast<double>(patch.rim.size());
+        const double diagonals = corners * corners / 2;
+        if (diagonals > diagonalsLeft_)
+            return false;
+        diagonalsLeft_ -= diagonals;
+        return true;
+    }
+
     void take(const Patch &patch)
     {
         for (const VertexId v : patch.rim)
@@ -84,12 +99,6 @@ private:
         if (patch.rim.size() < 4)
             return std::nullopt;
         const FillingCost cost(mesh_, support_, patch.rim);
-        const std::vector<SampleId> owned = owned_.of(patch, patches_);
-        const auto areEnough = [&](double faces) {
-            return static_cast<double>(owned.size()) >= leastOwned * owned_.perFace() * faces;
-        };
-        if (!areEnough(cost.leastSizeInFaces(patch.rim))) // of any filling: spares to look for one
-            return std::nullopt;
         std::vector<Corners> before;
         for (const FaceId face : patch.faces)
             before.push_back(faces_.corners(face));
@@ -100,11 +109,18 @@ private:
         });
         if (!(filling.weight < leastGain * weightNow))
             return std::nullopt;
+        const std::vector<OwnedSample> owned = owned_.of(patch, patches_);
         const std::vector<Corners> after = cornersOf(patch.rim, filling.triangles);
-        if (!areEnough(cost.sizeInFaces(after)))
+        const double enough = leastOwned * owned_.perFace() * cost.sizeInFaces(after);
+        if (static_cast<double>(owned.size()) < enough)
             return std::nullopt;
-        const FillingCost::Missed missed = cost.missed(owned, before, after);
-        if (!(filling.weight + missed.after < leastGain * (weightNow + missed.before)))
+        std::vector<Corners> both = before;
+        both.insert(both.end(), after.begin(), after.end());
+        const std::vector<FillingCost::Missed> missed = cost.missed(owned, both);
+        double costNow = weightNow;
+        for (const FillingCost::Missed &sample : missed)
+            costNow += sample.area * sample.squaredDistance;
+        if (cost.areFurther(missed, after, leastGain * costNow - filling.weight))
             return std::nullopt;
         return Refilling{patch.rim, patch.interior, std::move(filling.triangles)};
     }
@@ -115,6 +131,7 @@ private:
     PatchSearch patches_;
     OwnedSamples owned_;
     std::vector<char> isTaken_;
+    double diagonalsLeft_;
     std::vector<Refilling> found_;
 };
 

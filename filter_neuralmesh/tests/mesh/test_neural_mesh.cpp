@@ -45,6 +45,23 @@ TEST(NeuralMesh, a_copy_has_the_same_network_and_free_slots_of_its_own)
     EXPECT_FALSE(mesh.isLive(7));
 }
 
+TEST(NeuralMesh, keeps_its_network_and_no_free_slot_when_it_is_compacted)
+{
+    NeuralMesh mesh;
+    test::makeTorus(mesh, 5, 5);
+    collapse(mesh, 7, mesh.ring(7)[0]);
+    const Point3 last = mesh.position(24);
+    const Point3 neighbour = mesh.position(mesh.ring(24)[0]);
+    mesh.compact();
+    validate(mesh);
+    EXPECT_EQ(measureTopology(mesh).genus, 1);
+    EXPECT_EQ(mesh.vn, 24);
+    EXPECT_EQ(mesh.idBound(), 24U);
+    EXPECT_EQ(mesh.position(23), last);
+    EXPECT_EQ(mesh.position(mesh.ring(23)[0]), neighbour);
+    EXPECT_EQ(mesh.addVertex({0, 0, 0}), 24U);
+}
+
 TEST(NeuralMesh, forgets_its_free_slots_when_it_is_cleared)
 {
     NeuralMesh mesh;

@@ -47,6 +47,7 @@ TEST(QuadricDecimation, leaves_the_vertices_asked_for_and_the_handle)
         validate(mesh);
         const TopologyFigures figures = measureTopology(mesh);
         EXPECT_EQ(figures.vertices, vertices);
+        EXPECT_EQ(mesh.idBound(), static_cast<VertexId>(vertices));
         EXPECT_EQ(figures.components, 1);
         EXPECT_EQ(figures.genus, 1);
     }

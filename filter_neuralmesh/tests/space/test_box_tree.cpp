@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/box_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/points_for_tests.h"
+
+namespace neuralmesh {
+namespace {
+
+std::vector<std::uint32_t> meeting(const BoxTree &tree, const Box3 &box)
+{
+    std::vector<std::uint32_t> found;
+    tree.forEachMeeting(box, [&](std::uint32_t i) { found.push_back(i); });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+/// Boxes of sizes that differ by a thousand, most of which crowd around the origin.
+std::vector<Box3> crowdedBoxes(std::size_t count)
+{
+    Random random(4);
+    std::vector<Box3> boxes;
+    while (boxes.size() < count) {
+        const Scalar size = std::pow(10, -3 * random.unit());
+        const Point3 corner = test::inUnitCube(random) * std::pow(random.unit(), 8);
+        boxes.emplace_back(corner, corner + test::inUnitCube(random) * size);
+    }
+    return boxes;
+}
+
+TEST(BoxTree, finds_all_boxes_that_meet_another_and_no_more)
+{
+    for (const std::size_t count :
+         {std::size_t(1), std::size_t(8), std::size_t(9), std::size_t(700)}) {
+        const std::vector<Box3> boxes = crowdedBoxes(count);
+        const BoxTree tree(boxes);
+        for (const Box3 &box : boxes) {
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t i = 0; i < count; ++i)
+                if (boxes[i].Collide(box))
+                    expected.push_back(i);
+            EXPECT_EQ(meeting(tree, box), expected);
+        }
+    }
+}
+
+TEST(BoxTree, finds_boxes_without_a_width_and_nothing_where_there_are_none)
+{
+    const Box3 flat({0, 0, 0}, {1, 1, 0});
+    EXPECT_EQ(meeting(BoxTree({flat, flat, flat}), flat).size(), 3U);
+    EXPECT_TRUE(meeting(BoxTree({}), flat).empty());
+}
+
+} // namespace
+} // namespace neuralmesh
