@@ -105,8 +105,8 @@ TEST(CoarseShape, finds_the_handle_of_a_torus)
     expectShape(test::torusPoints(3000, 1, 0.4, 1), 1, 1);
 }
 
-/// The inside and the outside of a vase, an ellipsoid of half-axes 1, 1 and 1.5, and the brim around
-/// a round mouth on top.
+/// The inside and the outside of a vase, an ellipsoid of half-axes 1, 1 and 1.5, and its brim
+/// around a round mouth on top.
 test::Points vase(std::size_t count, double thickness, double mouth)
 {
     const double inner = 1 - thickness;
