@@ -12,13 +12,14 @@
     benchmark.py --topology                       handles, parts and borders, and which are missed
     benchmark.py --topology --rows torus,tube --conditions clean,sparse --seeds 1,2
     benchmark.py --strays                         whether a few points far off change a mesh
+    benchmark.py --shapes                         whether a difficult shape takes much longer
     benchmark.py --quality --summary              an overview, and whether the bounds are kept
     benchmark.py --quality --models bunny --ours splitrule=1 --ours smoothingpasses=3
                                                   more rows of ours, with other parameters
 
 Peers' rows do not depend on our code: they are measured once and kept in the cache; --fresh
-measures them again. Exit codes: 0 done, 1 a row of ours failed, a bar of --topology
-or --strays is missed or the plugin is missing, 2 usage.
+measures them again. Exit codes: 0 done, 1 a row of ours failed, a bar of --topology, --strays
+or --shapes is missed or the plugin is missing, 2 usage.
 """
 
 import sys

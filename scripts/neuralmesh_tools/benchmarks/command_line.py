@@ -10,6 +10,7 @@ import sys
 from neuralmesh_tools.benchmarks import scale
 from neuralmesh_tools.benchmarks.batches import compare_workers
 from neuralmesh_tools.benchmarks.point_file import compare_file
+from neuralmesh_tools.benchmarks.shapes import table as shapes_table
 from neuralmesh_tools.benchmarks.speed import compare_speed
 from neuralmesh_tools.benchmarks.strays import table as strays_table
 from neuralmesh_tools.benchmarks.topology import table as topology_table
@@ -41,6 +42,8 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     what.add_argument("--topology", action="store_true", help=text)
     text = "whether a few points far off change the mesh of a cloud"
     what.add_argument("--strays", action="store_true", help=text)
+    text = "whether clouds of difficult shapes take longer than a sphere's"
+    what.add_argument("--shapes", action="store_true", help=text)
     text = "time against Poisson and decimation, on the bunny"
     what.add_argument("--speed", action="store_true", help=text)
     text = "time against vertices, points and threads, on the armadillo"
@@ -56,20 +59,22 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     )
     what.add_argument("--file", action="store_true", help=text)
     what.add_argument("--file-points", type=int, default=100_000_000, help="(default 100000000)")
-    text = "of each, for --speed, --scale, --batch and --file (default 5)"
+    text = "of each, for --speed, --scale, --shapes, --batch and --file (default 5)"
     what.add_argument("--runs", type=int, default=5, help=text)
-    text = "of each result (default 5000; --quality, --topology: the model's own)"
+    text = "of each result (default 5000; --shapes: 3000; --quality, --topology: the model's own)"
     what.add_argument("--vertices", type=int, metavar="N", help=text)
     add_plugin(what)
     table.add_options(parser)
     topology_table.add_options(parser)
     strays_table.add_options(parser)
+    shapes_table.add_options(parser)
     options = parser.parse_args()
     tables = (options.quality, options.topology, options.strays)
-    if not any((*tables, options.speed, options.scale, options.batch, options.file)):
+    others = (options.shapes, options.speed, options.scale, options.batch, options.file)
+    if not any((*tables, *others)):
         parser.error(
-            "nothing to measure: give --quality, --topology, --strays, --speed, --scale, --batch "
-            "or --file"
+            "nothing to measure: give --quality, --topology, --strays, --shapes, --speed, --scale, "
+            "--batch or --file"
         )
     if sum(tables) > 1:
         parser.error("--quality, --topology and --strays share options: give one of them")
@@ -78,6 +83,7 @@ def parse_arguments(description: str | None) -> argparse.Namespace:
     if min(options.scale_vertices) < 4 or min(options.scale_points) < 4:
         parser.error("--scale-vertices and --scale-points must be at least 4")
     strays_table.check_options(parser, options)
+    shapes_table.check_options(parser, options)
     (topology_table if options.topology else table).check_options(parser, options)
     return options
 
@@ -108,6 +114,8 @@ def main(description: str | None) -> int:
         if options.file:
             plugin = require_plugin(options.plugin)
             print(compare_file(plugin, options.file_points, vertices, options.runs), flush=True)
+        if options.shapes:
+            return shapes_table.run_table(options)
         if options.strays:
             return strays_table.run_table(options)
         if options.topology:
