@@ -97,19 +97,6 @@ StarProjection projectOnStar(const NeuralMesh &mesh, VertexId v, const Point3 &q
     return best;
 }
 
-StarProjection projectFromStarToStar(const NeuralMesh &mesh, VertexId v, const Point3 &query)
-{
-    StarProjection found = projectOnStar(mesh, v, query);
-    for (int k = 1; k < 3; ++k) {
-        const StarProjection beside = projectOnStar(mesh, found.corners[k], query);
-        if (beside.squaredDistance < found.squaredDistance) {
-            found = beside;
-            k = 0;
-        }
-    }
-    return found;
-}
-
 bool liesOnBoundary(const NeuralMesh &mesh, const StarProjection &p)
 {
     VertexId ends[2];

@@ -17,10 +17,6 @@ struct StarProjection {
 /// Looks at every face in the star of v. Ericson, Real-Time Collision Detection (2005), §5.1.5.
 StarProjection projectOnStar(const NeuralMesh &mesh, VertexId v, const Point3 &query);
 
-/// Looks on at the stars of the found face's other corners while one has a nearer point: a long
-/// face may pass nearer to a query than those around its nearest vertex.
-StarProjection projectFromStarToStar(const NeuralMesh &mesh, VertexId v, const Point3 &query);
-
 /// Whether the point lies on a boundary, as that of a query beyond the surface's edge does.
 bool liesOnBoundary(const NeuralMesh &mesh, const StarProjection &p);
 

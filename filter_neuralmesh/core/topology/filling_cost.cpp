@@ -97,16 +97,16 @@ std::vector<FillingCost::Missed> FillingCost::missed(const std::vector<OwnedSamp
     return found;
 }
 
-bool FillingCost::areFurther(const std::vector<Missed> &samples, const std::vector<Corners> &faces,
-                             double most) const
+double FillingCost::distances(const std::vector<Missed> &samples, const std::vector<Corners> &faces,
+                              double most) const
 {
     double sum = 0;
     for (const Missed &missed : samples) {
+        if (sum >= most)
+            break;
         sum += missed.area * squaredDistance(faces, missed.sample);
-        if (!(sum < most))
-            return true;
     }
-    return false;
+    return sum;
 }
 
 double FillingCost::squaredDistance(const std::vector<Corners> &faces, const Point3 &sample) const

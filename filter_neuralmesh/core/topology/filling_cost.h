@@ -38,7 +38,7 @@ public:
     struct Missed {
         Point3 sample;
         Scalar area;
-        Scalar squaredDistance; ///< from the mesh
+        Scalar squaredDistance; ///< from the faces around its nearest vertex
     };
 
     /// Those of some samples, in order, that are nearest to places on the faces. A limb cut short
@@ -46,9 +46,10 @@ public:
     std::vector<Missed> missed(const std::vector<OwnedSample> &samples,
                                const std::vector<Corners> &faces) const;
 
-    /// Whether the samples are further from the faces than that, in sum. Then looks no further.
-    bool areFurther(const std::vector<Missed> &samples, const std::vector<Corners> &faces,
-                    double most) const;
+    /// Squared distances of the samples from the faces, by area. Stops where the sum reaches
+    /// `most`.
+    double distances(const std::vector<Missed> &samples, const std::vector<Corners> &faces,
+                     double most = std::numeric_limits<double>::infinity()) const;
 
     /// The filling of least weight of a loop, its faces to the left. No diagonal is an edge for
     /// which `isTaken`.

@@ -43,7 +43,7 @@ const OwnedSamples::Foot &OwnedSamples::footOf(SampleId sample)
     if (!vertices_)
         vertices_.emplace(verticesOf(mesh_, support_.bounds()));
     const Point3 &position = support_.samples()[sample];
-    const StarProjection p = projectFromStarToStar(mesh_, vertices_->nearest(position), position);
+    const StarProjection p = projectOnStar(mesh_, vertices_->nearest(position), position);
     std::size_t corner = 0;
     for (int k = 0; k < 3; ++k)
         if (p.weights[k] > 0)

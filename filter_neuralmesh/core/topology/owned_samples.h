@@ -16,7 +16,7 @@ namespace neuralmesh {
 
 struct OwnedSample {
     SampleId id;
-    Scalar squaredDistance; ///< from the mesh
+    Scalar squaredDistance; ///< from the faces around its nearest vertex
 };
 
 /// Holds references: nothing of the mesh may change meanwhile. Each sample's nearest point of the

@@ -117,10 +117,17 @@ private:
         std::vector<Corners> both = before;
         both.insert(both.end(), after.begin(), after.end());
         const std::vector<FillingCost::Missed> missed = cost.missed(owned, both);
-        double costNow = weightNow;
+        double missedNow = 0;
         for (const FillingCost::Missed &sample : missed)
-            costNow += sample.area * sample.squaredDistance;
-        if (cost.areFurther(missed, after, leastGain * costNow - filling.weight))
+            missedNow += sample.area * sample.squaredDistance;
+        const double worth = leastGain * (weightNow + missedNow) - filling.weight;
+        const double missedThen = cost.distances(missed, after, worth);
+        const auto isBetter = [&](double missedBefore) {
+            return filling.weight + missedThen < leastGain * (weightNow + missedBefore);
+        };
+        // Of the web, a face that is not around a sample's nearest vertex may be nearer: only what
+        // is to be taken is worth the time.
+        if (!isBetter(missedNow) || !isBetter(cost.distances(missed, before)))
             return std::nullopt;
         return Refilling{patch.rim, patch.interior, std::move(filling.triangles)};
     }

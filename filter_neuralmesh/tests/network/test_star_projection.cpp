@@ -46,29 +46,6 @@ TEST(StarProjection, finds_the_distance_that_vcg_finds)
     }
 }
 
-TEST(StarProjection, goes_on_to_a_face_that_passes_by_from_afar)
-{
-    // A fan of faces that lean so far to the side that the first passes beside the sixth corner.
-    constexpr VertexId ridge = 9;
-    std::vector<Point3> points;
-    for (VertexId i = 0; i < ridge; ++i)
-        points.emplace_back(i, 0, 0);
-    const VertexId apex = ridge;
-    points.emplace_back(100, 10, 0);
-    const VertexId below = ridge + 1;
-    points.emplace_back(50, -5, -40);
-    std::vector<test::Triangle> faces = {{{apex, ridge - 1, below}}, {{0, apex, below}}};
-    for (VertexId i = 0; i + 1 < ridge; ++i) {
-        faces.push_back({{i, i + 1, apex}});
-        faces.push_back({{i + 1, i, below}});
-    }
-    NeuralMesh mesh;
-    test::makeMesh(mesh, points, faces);
-    const Point3 query(5.2, 0.5, 0);
-    EXPECT_GT(projectOnStar(mesh, 5, query).squaredDistance, 0.01);
-    EXPECT_NEAR(projectFromStarToStar(mesh, 5, query).squaredDistance, 0, 1e-20);
-}
-
 TEST(StarProjection, is_the_vertex_where_all_faces_are_a_single_place)
 {
     NeuralMesh mesh;

@@ -233,8 +233,8 @@ GROWTH: tuple[Mutant, ...] = (
         "fillings-miss-samples",
         "a filling that samples are not near to is not taken for a web",
         "core/topology/web_removal.cpp",
-        "if (cost.areFurther(",
-        "if (false && cost.areFurther(",
+        "return filling.weight + missedThen < leastGain",
+        "return filling.weight + 0 * missedThen < leastGain",
         ("Limbs.that_few_samples_show_keep_their_tips",),
     ),
     Mutant(
@@ -268,14 +268,6 @@ GROWTH: tuple[Mutant, ...] = (
         "std::all_of(foot.corners.begin(), end, isCorner)",
         "std::any_of(foot.corners.begin(), end, isCorner)",
         ("OwnedSamples.of_a_web_are_nearest_to_its_faces",),
-    ),
-    Mutant(
-        "feet-of-one-star",
-        "a long face may pass nearer to a sample than those around its nearest vertex",
-        "core/network/star_projection.cpp",
-        "    for (int k = 1; k < 3; ++k) {",
-        "    for (int k = 1; k < 1; ++k) {",
-        ("StarProjection.goes_on_to_a_face_that_passes_by_from_afar",),
     ),
     Mutant(
         "rims-own-by-chance",
