@@ -259,7 +259,7 @@ GROWTH: tuple[Mutant, ...] = (
         "core/topology/owned_samples.cpp",
         "        if (isOnPatch(foot, patches))",
         "",
-        ("Closing.two_sides_of_a_wall_stay_whole",),
+        ("OwnedSamples.of_a_web_are_nearest_to_its_faces",),
     ),
     Mutant(
         "webs-own-what-is-near",
