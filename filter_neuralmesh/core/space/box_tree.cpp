@@ -8,6 +8,7 @@
 namespace neuralmesh {
 namespace {
 
+/// Boxes that are looked at one by one.
 constexpr std::uint32_t boxesOfLeaf = 8;
 
 } // namespace

@@ -37,6 +37,7 @@ public:
     }
 
 private:
+    /// In place of the second child: the root is nobody's.
     static constexpr std::uint32_t leaf = 0;
 
     struct Node {

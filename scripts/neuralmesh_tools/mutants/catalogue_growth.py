@@ -254,6 +254,22 @@ GROWTH: tuple[Mutant, ...] = (
         ("WebRemoval.a_rim_that_takes_too_long_to_fill_stays",),
     ),
     Mutant(
+        "slots-stay",
+        "a decimated mesh has no slots of the vertices that went",
+        "core/shape/quadric_decimation.cpp",
+        "    mesh.compact();",
+        "",
+        ("QuadricDecimation.leaves_the_vertices_asked_for_and_the_handle",),
+    ),
+    Mutant(
+        "touching-boxes-do-not-meet",
+        "flat boxes and those that only touch are found",
+        "core/space/box_tree.h",
+        "if (a.min[axis] > b.max[axis] || b.min[axis] > a.max[axis])",
+        "if (a.min[axis] >= b.max[axis] || b.min[axis] >= a.max[axis])",
+        ("BoxTree.finds_boxes_without_a_width_and_nothing_where_there_are_none",),
+    ),
+    Mutant(
         "fillings-have-all-samples",
         "samples of what is beside a web are not missed by what fills it",
         "core/topology/owned_samples.cpp",

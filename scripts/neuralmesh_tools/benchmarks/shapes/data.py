@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from neuralmesh_tools.generated_clouds import bent_sheet, cup, flat_square, spheres, torus
 from neuralmesh_tools.geometry import Points
+from neuralmesh_tools.properties.inputs import SHAPES as RANDOM_SHAPES
 
 # Makes points (count, 3) of a seed.
 Shape = Callable[[int, int], Points]
@@ -167,28 +168,14 @@ def _hedgehog(count: int, seed: int) -> Points:
     return generator.permutation(grown)
 
 
-def _solid_cube(count: int, seed: int) -> Points:
-    return np.random.default_rng(seed).uniform(-1, 1, (count, 3))
-
-
 def _gaussian_cloud(count: int, seed: int) -> Points:
     return np.random.default_rng(seed).normal(size=(count, 3))
-
-
-def _heavy_tails(count: int, seed: int) -> Points:
-    return np.random.default_rng(seed).standard_cauchy((count, 3))
 
 
 def _clumps(count: int, seed: int) -> Points:
     generator = np.random.default_rng(seed)
     centres = generator.uniform(-1, 1, (30, 3))
     return centres[generator.integers(0, 30, count)] + generator.normal(scale=0.02, size=(count, 3))
-
-
-def _lattice(count: int, _: int) -> Points:
-    side = int(np.ceil(count ** (1 / 3)))
-    axis = np.arange(side) / side
-    return np.stack(np.meshgrid(axis, axis, axis), -1).reshape(-1, 3)[:count]
 
 
 def _noisy_sphere(count: int, seed: int) -> Points:
@@ -211,6 +198,11 @@ def _lone_parts(count: int, seed: int) -> Points:
     return spheres(count, seed, places, np.full(len(places), 0.35))
 
 
+def _random(name: str) -> Shape:
+    """A shape of the tests of random clouds."""
+    return lambda count, seed: RANDOM_SHAPES[name](count, np.random.default_rng(seed))
+
+
 BENIGN: Shape = _sphere
 SHAPES: dict[str, Shape] = {
     "two-shells": lambda count, seed: _nested_spheres(count, seed, [1, 0.9]),
@@ -230,11 +222,11 @@ SHAPES: dict[str, Shape] = {
     "spring": _spring,
     "line-of-a-spiral": _line_of_a_spiral,
     "hedgehog": _hedgehog,
-    "solid-cube": _solid_cube,
+    "solid-cube": _random("uniform"),
     "gaussian-cloud": _gaussian_cloud,
-    "heavy-tails": _heavy_tails,
+    "heavy-tails": _random("heavy tails"),
     "clumps": _clumps,
-    "lattice": _lattice,
+    "lattice": _random("lattice"),
     "noisy-sphere": _noisy_sphere,
     "uneven-sphere": _uneven_sphere,
 }

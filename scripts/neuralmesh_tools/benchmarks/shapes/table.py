@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
 from neuralmesh_tools.benchmarks.shapes.data import SHAPES
 from neuralmesh_tools.benchmarks.shapes.run import Job, Measured
@@ -60,7 +59,6 @@ def run_table(options: argparse.Namespace) -> int:
                 misses.append(f"{shape}: {found.seconds / usual:.1f} times a sphere's time")
     print(f"\nShapes that take more than {MOST_RATIO:g} times as long: {len(misses)}")
     print("\n".join(f"- {miss}" for miss in misses))
-    sys.stdout.flush()
     return 1 if misses else 0
 
 
