@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds which of many boxes meet another, wherever they crowd and however their sizes differ.
+// Finds which of many boxes meet another or are near a place, wherever they crowd and however their
+// sizes differ.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
@@ -36,7 +40,44 @@ public:
         }
     }
 
+    /// Calls visit(i) for each of the boxes whose squared distance from the place is at most
+    /// `squaredReach`, and perhaps some that are further. The visitor may shorten the reach, which
+    /// is why those of the nearer branches come first (Friedman, Bentley and Finkel 1977).
+    template <class Visit>
+    void forEachNear(const Point3 &place, const Scalar &squaredReach, const Visit &visit) const
+    {
+        struct Branch {
+            Scalar squaredDistance;
+            std::uint32_t node;
+        };
+        std::array<Branch, mostDepth> open;
+        std::size_t count = 0;
+        const auto add = [&](std::uint32_t node) {
+            open[count++] = {squaredDistance(nodes_[node].bounds, place), node};
+        };
+        if (!nodes_.empty())
+            add(0);
+        while (count > 0) {
+            const Branch branch = open[--count];
+            if (branch.squaredDistance > squaredReach)
+                continue;
+            const Node &node = nodes_[branch.node];
+            if (node.second != leaf) {
+                add(branch.node + 1);
+                add(node.second);
+                if (open[count - 2].squaredDistance < open[count - 1].squaredDistance)
+                    std::swap(open[count - 2], open[count - 1]);
+                continue;
+            }
+            for (std::uint32_t i = node.first; i < node.end; ++i)
+                visit(order_[i]);
+        }
+    }
+
 private:
+    /// Halvings of 2^32 boxes, and one more.
+    static constexpr std::size_t mostDepth = 33;
+
     /// In place of the second child: the root is nobody's.
     static constexpr std::uint32_t leaf = 0;
 
@@ -53,6 +94,17 @@ private:
             if (a.min[axis] > b.max[axis] || b.min[axis] > a.max[axis])
                 return false;
         return true;
+    }
+
+    static Scalar squaredDistance(const Box3 &box, const Point3 &place)
+    {
+        Scalar sum = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Scalar beyond =
+                std::max({box.min[axis] - place[axis], place[axis] - box.max[axis], Scalar(0)});
+            sum += beyond * beyond;
+        }
+        return sum;
     }
 
     void build(std::uint32_t first, std::uint32_t end);

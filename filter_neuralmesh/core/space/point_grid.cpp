@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/space/box_tree.h"
+
 namespace neuralmesh {
 namespace {
 
@@ -19,6 +21,15 @@ std::vector<PointGrid::Entry> entriesOf(const std::vector<Point3> &points)
     for (const Point3 &point : points)
         entries.push_back({point, static_cast<VertexId>(entries.size())});
     return entries;
+}
+
+PointGrid::Candidate nearerOf(const PointGrid::Candidate &best, const Point3 &query,
+                              const PointGrid::Entry &entry)
+{
+    const Scalar d = (entry.position - query).SquaredNorm();
+    const bool isNearer =
+        d < best.squaredDistance || (d == best.squaredDistance && entry.id < best.id);
+    return isNearer ? PointGrid::Candidate{d, entry.id} : best;
 }
 
 } // namespace
@@ -38,16 +49,46 @@ PointGrid::PointGrid(const Box3 &bounds, std::vector<Entry> entries)
         if (pointsInCell_ <= mostInCell)
             break;
     }
-    sortIntoCells();
+    if (pointsBeside_ > mostBeside)
+        makeTree();
+    else
+        sortIntoCells();
 }
 
 void PointGrid::countInCells()
 {
     starts_.assign(cells_.count() + 1, 0);
     std::size_t held = 0;
+    double pairs = 0;
+    for (const Entry &entry : entries_) {
+        const std::uint32_t before = starts_[cellOf(entry.position)]++;
+        held += before == 0 ? 1 : 0;
+        pairs += before;
+    }
+    const auto count = static_cast<double>(entries_.size());
+    pointsInCell_ = held > 0 ? count / static_cast<double>(held) : 0;
+    pointsBeside_ = held > 0 ? 2 * pairs / count : 0;
+}
+
+void PointGrid::makeTree()
+{
+    starts_ = {};
+    std::vector<Box3> places;
+    places.reserve(entries_.size());
     for (const Entry &entry : entries_)
-        held += starts_[cellOf(entry.position)]++ == 0 ? 1 : 0;
-    pointsInCell_ = held > 0 ? static_cast<double>(entries_.size()) / static_cast<double>(held) : 0;
+        places.emplace_back(entry.position, entry.position);
+    tree_ = std::make_shared<const BoxTree>(std::move(places));
+}
+
+void PointGrid::forEachOfTree(const Point3 &query, Scalar radius, const TakeRun &take) const
+{
+    constexpr Scalar nowhere = -1;
+    Scalar squaredReach = radius * radius * beyondRounding;
+    tree_->forEachNear(query, squaredReach, [&](std::uint32_t i) {
+        const Entry *entry = entries_.data() + i;
+        if (squaredReach != nowhere && !take(entry, entry + 1))
+            squaredReach = nowhere;
+    });
 }
 
 /// By the counts that are there. Points of a cell keep their order.
@@ -68,17 +109,23 @@ void PointGrid::sortIntoCells()
 void PointGrid::improve(const Point3 &query, Scalar radius, Candidate &best) const
 {
     forEachRun(query, radius, [&](const Entry *first, const Entry *end) {
-        for (; first != end; ++first) {
-            const Scalar d = (first->position - query).SquaredNorm();
-            if (d < best.squaredDistance || (d == best.squaredDistance && first->id < best.id))
-                best = {d, first->id};
-        }
+        for (; first != end; ++first)
+            best = nearerOf(best, query, *first);
         return true;
     });
 }
 
+VertexId PointGrid::nearestInTree(const Point3 &query, Candidate best) const
+{
+    tree_->forEachNear(query, best.squaredDistance,
+                       [&](std::uint32_t i) { best = nearerOf(best, query, entries_[i]); });
+    return best.id;
+}
+
 VertexId PointGrid::nearest(const Point3 &query, Candidate known) const
 {
+    if (isCrowded())
+        return nearestInTree(query, known);
     improve(query, beyondRounding * std::sqrt(known.squaredDistance), known);
     return known.id;
 }
@@ -88,6 +135,8 @@ VertexId PointGrid::nearest(const Point3 &query) const
     Candidate best{std::numeric_limits<Scalar>::infinity(), noVertex};
     if (entries_.empty())
         return noVertex;
+    if (isCrowded())
+        return nearestInTree(query, best);
     // Cubes around the query that double until one holds a point; no other is nearer than the ball
     // through that.
     Scalar radius = 1 / cells_.cellsPerUnit();

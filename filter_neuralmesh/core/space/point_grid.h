@@ -4,15 +4,20 @@
 // A uniform grid, as of vertices that move (vertex_grid.h), but made at once by a counting sort:
 // the points of a row of cells follow each other in memory, so that a search reads a few runs of
 // them where lists would be a cache line a point. To make it anew costs less than a search for each
-// point.
+// point. Where points crowd, as around a laser scanner that sees far, or at the centre of heavy
+// tails, one size of cells fits none of them: there a tree takes the place of the cells.
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/space/grid_cells.h"
 
 namespace neuralmesh {
+
+class BoxTree;
 
 class PointGrid {
 public:
@@ -34,6 +39,8 @@ public:
 
     /// The mean over all cells that hold any.
     double pointsInCell() const { return pointsInCell_; }
+    /// Whether they crowd in cells, and a tree has them.
+    bool isCrowded() const { return tree_ != nullptr; }
 
     /// The point nearest to the query, the lowest id of several at the same distance, or noVertex
     /// where there is none.
@@ -80,10 +87,13 @@ private:
     static constexpr std::size_t cellsPerPoint = 2;
     static constexpr double mostInCell = 4;
     static constexpr std::size_t mostCellsPerPoint = 16;
+    /// Points crowd where so many others share the cell of one, in the mean over all.
+    static constexpr double mostBeside = 30;
 
     void sortIntoCells();
-    /// Counts the points of each cell, and sets their mean.
+    /// Counts the points of each cell, and sets their means.
     void countInCells();
+    void makeTree();
     std::size_t cellOf(const Point3 &place) const { return placeOf(cells_.at(place)); }
     std::size_t placeOf(const GridCells::Cell &c) const
     {
@@ -98,6 +108,8 @@ private:
     template <class Take>
     void forEachRun(const Point3 &query, Scalar radius, const Take &take) const
     {
+        if (isCrowded())
+            return forEachOfTree(query, radius, std::ref(take));
         const GridCells::Cell low = cells_.at(query - Point3(radius, radius, radius));
         const GridCells::Cell high = cells_.at(query + Point3(radius, radius, radius));
         for (int z = low.z; z <= high.z; ++z)
@@ -112,12 +124,19 @@ private:
             }
     }
 
+    /// The same, each entry a run of its own.
+    using TakeRun = std::function<bool(const Entry *first, const Entry *end)>;
+    void forEachOfTree(const Point3 &query, Scalar radius, const TakeRun &take) const;
+
+    VertexId nearestInTree(const Point3 &query, Candidate best) const;
     void improve(const Point3 &query, Scalar radius, Candidate &best) const;
 
     GridCells cells_;
     double pointsInCell_ = 0;
-    std::vector<Entry> entries_;        ///< row by row
-    std::vector<std::uint32_t> starts_; ///< of each cell's entries; one more, for their end
+    double pointsBeside_ = 0;             ///< one in its cell, in the mean over all
+    std::vector<Entry> entries_;          ///< row by row
+    std::vector<std::uint32_t> starts_;   ///< of each cell's entries; one more, for their end
+    std::shared_ptr<const BoxTree> tree_; ///< of the entries, where they crowd
 };
 
 } // namespace neuralmesh

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "tests/points_for_tests.h"
 
@@ -46,6 +48,42 @@ TEST(BoxTree, finds_all_boxes_that_meet_another_and_no_more)
             EXPECT_EQ(meeting(tree, box), expected);
         }
     }
+}
+
+/// The squared distance of the point that is nearest to a place, and how many were looked at.
+std::pair<Scalar, int> nearest(const BoxTree &tree, const std::vector<Box3> &points,
+                               const Point3 &place)
+{
+    Scalar least = std::numeric_limits<Scalar>::infinity();
+    int visited = 0;
+    tree.forEachNear(place, least, [&](std::uint32_t i) {
+        least = std::min(least, (points[i].min - place).SquaredNorm());
+        ++visited;
+    });
+    return {least, visited};
+}
+
+TEST(BoxTree, finds_the_nearest_point_among_few)
+{
+    Random random(5);
+    std::vector<Box3> points;
+    for (int i = 0; i < 4000; ++i) {
+        const Point3 place = test::inUnitCube(random) * std::pow(random.unit(), 8);
+        points.emplace_back(place, place);
+    }
+    const BoxTree tree(points);
+    double sum = 0;
+    for (const Box3 &at : points) {
+        const Point3 place = at.min + test::inUnitCube(random) * 0.01;
+        Scalar expected = std::numeric_limits<Scalar>::infinity();
+        for (const Box3 &point : points)
+            expected = std::min(expected, (point.min - place).SquaredNorm());
+        const auto [least, visited] = nearest(tree, points, place);
+        EXPECT_EQ(least, expected);
+        sum += visited;
+    }
+    EXPECT_LT(sum / static_cast<double>(points.size()), 60);
+    EXPECT_EQ(nearest(BoxTree({}), {}, {0, 0, 0}).second, 0);
 }
 
 TEST(BoxTree, finds_boxes_without_a_width_and_nothing_where_there_are_none)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "tests/space/brute_force.h"
@@ -90,6 +91,39 @@ TEST(PointGrid, keeps_cells_small_where_points_lie_on_a_surface)
         points.emplace_back(random.unit(), random.unit(), 0.5);
     const PointGrid grid(box({0, 0, 0}, {1, 1, 1}), points);
     EXPECT_LE(grid.pointsInCell(), 4);
+}
+
+/// Nine of ten in a hundredth, a thousandth ... of the unit cube, some of them at one place.
+Positions crowdedPositions(Random &random, VertexId count)
+{
+    Positions positions;
+    for (VertexId id = 0; id < count; ++id) {
+        const Scalar size = std::pow(10, -std::floor(6 * random.unit()));
+        positions[id] = random.unit() < 0.1 ? Point3(0.2, 0.3, 0.4)
+                                            : randomPoint(random, box({0, 0, 0}, {1, 1, 1})) * size;
+    }
+    return positions;
+}
+
+TEST(PointGrid, is_exact_where_points_crowd)
+{
+    Random random(10);
+    const Box3 unitCube = box({0, 0, 0}, {1, 1, 1});
+    const Positions positions = crowdedPositions(random, 3000);
+    std::vector<Point3> queries;
+    for (const auto &[id, position] : crowdedPositions(random, 200))
+        queries.push_back(id % 5 == 0 ? position * 100 : position);
+    EXPECT_TRUE(gridOf(unitCube, positions).isCrowded());
+    finds(unitCube, positions, queries);
+}
+
+TEST(PointGrid, has_a_tree_only_where_points_crowd)
+{
+    Random random(11);
+    Positions onSurface;
+    for (VertexId id = 0; id < 3000; ++id)
+        onSurface[id] = {random.unit(), random.unit() * random.unit(), 0.5};
+    EXPECT_FALSE(gridOf(box({0, 0, 0}, {1, 1, 1}), onSurface).isCrowded());
 }
 
 TEST(PointGrid, gives_no_point_when_empty)

@@ -270,6 +270,22 @@ GROWTH: tuple[Mutant, ...] = (
         ("BoxTree.finds_boxes_without_a_width_and_nothing_where_there_are_none",),
     ),
     Mutant(
+        "points-crowd-in-cells",
+        "points that crowd are in a tree, not in the cells of a grid",
+        "core/space/point_grid.cpp",
+        "if (pointsBeside_ > mostBeside)",
+        "if (false)",
+        ("PointGrid.is_exact_where_points_crowd",),
+    ),
+    Mutant(
+        "far-branches-first",
+        "the nearer branch of a tree is searched first, and then spares the other",
+        "core/space/box_tree.h",
+        "if (open[count - 2].squaredDistance < open[count - 1].squaredDistance)",
+        "if (open[count - 2].squaredDistance > open[count - 1].squaredDistance)",
+        ("BoxTree.finds_the_nearest_point_among_few",),
+    ),
+    Mutant(
         "fillings-have-all-samples",
         "samples of what is beside a web are not missed by what fills it",
         "core/topology/owned_samples.cpp",
