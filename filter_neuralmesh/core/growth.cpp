@@ -174,7 +174,7 @@ private:
 
     void growToTarget()
     {
-        Stagnation stagnation(network_, parameters_.signalsPerSplit);
+        Stagnation stagnation(network_, parameters_.signalsPerSplit, parameters_.targetVertexCount);
         while (!isComplete()) {
             learnBatch();
             splitMostActive(batch_.last().size() /
@@ -371,7 +371,7 @@ private:
     GrowthReport report_;
     std::size_t snapshotsTaken_ = 0;
     bool isSnapshot_ = false; ///< of another network
-    /// Whether there are too few points for each vertex to win one. Then idle vertices are kept.
+    /// Whether growth gets nowhere, as for want of points. Then idle vertices are kept.
     bool isCrowded_ = false;
 };
 

@@ -23,7 +23,7 @@ struct GrowthReport {
     int selfIntersections = 0;       ///< faces of the result that intersect another
     bool reachedTarget = false;
     TimeUp timeUp = TimeUp::no;
-    bool keptIdle = false; ///< vertices that win no sample, for want of points
+    bool keptIdle = false; ///< vertices that win no sample, so that growth came to its end
     TopologyChanges changes;
     /// Distances of fresh samples from the result, in the unit frame.
     double rmsError = 0;
@@ -59,8 +59,8 @@ using NetworkTaker = std::function<void(std::unique_ptr<NeuralMesh> snapshot)>;
 /// start was made. It is as sound as any; the snapshots that were taken stay.
 ///
 /// Otherwise ends at the target: where splits and collapses come to balance each other before, as
-/// happens when the target is close to the number of distinct points, vertices are no longer
-/// removed, and the report's keptIdle is true.
+/// happens when the target is close to the number of distinct points, or growth folds and takes
+/// twice its time, vertices are no longer removed, and the report's keptIdle is true.
 ///
 /// Throws InvalidParameter for parameters out of range, a target above the number of distinct
 /// points, and a target or a snapshot with fewer vertices than the starting mesh; Cancelled when

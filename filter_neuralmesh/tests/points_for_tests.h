@@ -80,6 +80,22 @@ private:
     std::vector<Point> points_;
 };
 
+/// Points of a strip with half a twist, of radius 1 and 0.8 wide: no surface with two sides has it,
+/// so none can be oriented.
+inline WorldPoints moebiusPoints(std::size_t count, std::uint64_t seed)
+{
+    Random random(seed);
+    WorldPoints points;
+    while (points.size() < count) {
+        const double around = 2 * M_PI * random.unit();
+        const double across = 0.8 * random.unit() - 0.4;
+        const double radius = 1 + across * std::cos(around / 2);
+        points.emplace_back(radius * std::cos(around), radius * std::sin(around),
+                            across * std::sin(around / 2));
+    }
+    return points;
+}
+
 /// Points uniform on the unit sphere by area (Archimedes).
 inline WorldPoints spherePoints(std::size_t count, std::uint64_t seed)
 {

@@ -176,6 +176,7 @@ public:
                 return judge(coarser);
             const int votes = reading.shape.votes;
             const bool isSame = reading.surface().hasShapeOf(coarser.surface());
+            isRepeated_ = isSame;
             isUnanimous_ = isSame && std::min(votes, coarser.shape.votes) == allVotes;
             // What two grids have takes more than a few levels of a finer one to be overruled.
             const bool isDoubtful = !isSame && votes < (isLast() ? fewestVotes : clearVotes);
@@ -301,7 +302,9 @@ private:
         cells_ = reading.cells;
         soup_ = s.soup;
         support_ = supportOf(reading);
-        const bool isFaultless = support_.farShare < faultless && s.missedShare < faultless;
+        // A surface far from all points closes what is open: a fault, unless two grids have it.
+        const bool isFaultless =
+            s.missedShare < faultless && (support_.farShare < faultless || isRepeated_);
         CoarseShape shape;
         shape.cells = cells_;
         shape.components = s.components;
@@ -334,7 +337,8 @@ private:
     bool isSheet_ = false;
     bool isPlate_ = false;     ///< of two sides
     bool isStable_ = false;    ///< whether the last two grids have one shape
-    bool isUnanimous_ = false; ///< and all their levels, too
+    bool isRepeated_ = false;  ///< whether the last grid's shape is that of the one before
+    bool isUnanimous_ = false; ///< and that of all their levels, too
     double unexplained_ = 1;   ///< share of the points, on the last grid
     TriangleSoup soup_;        ///< of the reading that was chosen
     SurfaceSupport support_;

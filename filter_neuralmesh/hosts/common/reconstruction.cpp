@@ -136,7 +136,8 @@ std::string summary(const Reconstruction &reconstruction, const HostTerms &terms
     if (report.keptIdle)
         text += " To reach " + terms.parameter(Parameter::targetVertexCount) +
                 ", vertices were kept that are nearest to no sample. That is no harm by itself; it "
-                "happens where the target is close to the number of points, and where " +
+                "happens where the target is close to the number of points, where the mesh has "
+                "folded, and where " +
                 terms.parameter(Parameter::inactivityFactor) + " or " +
                 terms.parameter(Parameter::signalsPerSplit) + " is low.";
     return text + topology(report, terms) + warnings(report, terms);

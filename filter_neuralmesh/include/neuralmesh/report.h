@@ -55,7 +55,8 @@ struct Report {
     /// its growth or its fit short.
     bool reachedTarget = false;
     TimeUp timeUp = TimeUp::no;
-    /// Whether vertices were kept that win no sample, for want of points.
+    /// Whether vertices were kept that win no sample: for want of points, or since growth folded
+    /// and got nowhere.
     bool keptIdle = false;
 
     TopologyChanges changes;

@@ -238,6 +238,19 @@ TEST(Growth, keeps_idle_vertices_only_where_it_comes_to_a_stop)
     EXPECT_EQ(another.vn, 300);
 }
 
+TEST(Growth, takes_twice_its_signals_at_the_most_where_it_folds)
+{
+    // A solid can only crumple on a strip with half a twist. It took four times as many.
+    const PointCloudSampler sampler(test::moebiusPoints(10000, 1));
+    NeuralMesh mesh;
+    GrowthParameters parameters = withTarget(1500);
+    parameters.topology = Topology::ofStart;
+    const GrowthReport report = grow(mesh, sampler, parameters);
+    EXPECT_LT(report.signalCount, 2.3 * parameters.signalsPerSplit * mesh.vn);
+    EXPECT_TRUE(report.keptIdle);
+    EXPECT_EQ(mesh.vn, 1500);
+}
+
 TEST(Growth, stops_when_progress_says_so)
 {
     const PointCloudSampler sampler(densePointsOnSphere());

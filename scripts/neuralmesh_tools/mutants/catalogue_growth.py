@@ -270,6 +270,14 @@ GROWTH: tuple[Mutant, ...] = (
         ("BoxTree.finds_boxes_without_a_width_and_nothing_where_there_are_none",),
     ),
     Mutant(
+        "folds-without-end",
+        "growth that folds ends after twice its signals",
+        "core/growth.cpp",
+        "parameters_.signalsPerSplit, parameters_.targetVertexCount);",
+        "parameters_.signalsPerSplit, 100 * parameters_.targetVertexCount);",
+        ("Growth.takes_twice_its_signals_at_the_most_where_it_folds",),
+    ),
+    Mutant(
         "points-crowd-in-cells",
         "points that crowd are in a tree, not in the cells of a grid",
         "core/space/point_grid.cpp",

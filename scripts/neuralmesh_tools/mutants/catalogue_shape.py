@@ -326,6 +326,14 @@ SHAPE: tuple[Mutant, ...] = (
         ("QuadricDecimation.keeps_the_place_of_a_boundary",),
     ),
     Mutant(
+        "repeated-shapes-are-nothing",
+        "a shape that two grids have is trusted, though it closes what is open",
+        "core/shape/coarse_shape.cpp",
+        "(support_.farShare < faultless || isRepeated_)",
+        "support_.farShare < faultless",
+        ("CoarseShape.trusts_sheets_that_cross_where_two_grids_have_one_shape",),
+    ),
+    Mutant(
         "crumbs-stay",
         "crumbs of an opened membrane go",
         "core/shape/coarse_shape.cpp",
