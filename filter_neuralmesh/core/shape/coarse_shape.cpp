@@ -10,6 +10,7 @@
 #include "core/mesh/mesh_checks.h"
 #include "core/mesh/triangle.h"
 #include "core/shape/border_trimming.h"
+#include "core/shape/grid_frame.h"
 #include "core/shape/membrane_opening.h"
 #include "core/shape/outside_flood.h"
 #include "core/shape/quadric_decimation.h"
@@ -39,12 +40,6 @@ constexpr double doubtfulNoise = 0.1;
 /// On the last grid the points are at most so many cells apart: fewer do not fill its surface.
 constexpr double widestSpacing = 0.9;
 
-/// Room between the points and the border of the grid, in extents of the points.
-constexpr double margin = 0.15;
-
-/// The shortest side of the grid, in its longest: a border nearby would press on the field.
-constexpr double leastSide = 0.75;
-
 /// Rounds of the field before the flood and after it: on the first grid and on each finer one,
 /// which starts from what the coarser found.
 constexpr int roundsBeforeFlood[] = {20, 4, 2, 2};
@@ -52,6 +47,12 @@ constexpr int roundsAfterFlood[] = {3, 3, 2, 2};
 static_assert(lastCells == firstCells << (std::size(roundsBeforeFlood) - 1) &&
                   std::size(roundsAfterFlood) == std::size(roundsBeforeFlood),
               "Each grid has its rounds.");
+
+/// The second grid is the first to part the sides of a thin wall, whose normals turn slowly: while
+/// this share of its points or more contradicts the field, it has more rounds, up to so many.
+constexpr double mostContradicted = 0.04;
+constexpr std::size_t partingGrid = 1;
+constexpr int mostRoundsOfParting = 24;
 
 /// All of them up to the usual grids, in rounds of the first: twice as many cells along each axis
 /// take eight times as long.
@@ -111,44 +112,6 @@ constexpr double farInSpacings = 2;
 /// A membrane reaches to where faces are nearer than this.
 constexpr double nearInCells = 1;
 constexpr double nearInSpacings = 1.5;
-
-/// The box of the grid: the points with room around, its longest side 1 long.
-class GridFrame {
-public:
-    /// Cells of the first grid along an axis are a multiple of this, so that coarser grids follow.
-    static constexpr int cellsTogether = 4;
-
-    explicit GridFrame(const std::vector<Point3> &points)
-    {
-        Box3 bounds;
-        for (const Point3 &p : points)
-            bounds.Add(p);
-        const double extent = std::max({bounds.DimX(), bounds.DimY(), bounds.DimZ()});
-        side_ = extent * (1 + 2 * margin);
-        int *cells[3] = {&size_.x, &size_.y, &size_.z};
-        for (int axis = 0; axis < 3; ++axis) {
-            const double needed =
-                std::max(leastSide, (bounds.Dim()[axis] / extent + 2 * margin) / (1 + 2 * margin));
-            *cells[axis] = cellsTogether *
-                           static_cast<int>(std::ceil(needed * firstCells / cellsTogether - 1e-9));
-            corner_[axis] = bounds.Center()[axis] - side_ * *cells[axis] / firstCells / 2;
-        }
-    }
-
-    /// Whether the points have any extent.
-    bool isProper() const { return side_ > 0; }
-    /// Of the first grid.
-    const GridSize &size() const { return size_; }
-    Point3 toGrid(const Point3 &p) const { return (p - corner_) / side_; }
-    /// In the grid's box, of a hole as wide as that in the unit frame.
-    double areaOfHole(double width) const { return M_PI / 4 * width * width / (side_ * side_); }
-    Point3 fromGrid(const Point3 &p) const { return p * side_ + corner_; }
-
-private:
-    Point3 corner_;
-    double side_ = 1;
-    GridSize size_;
-};
 
 class ShapeSearch {
 public:
@@ -252,6 +215,8 @@ private:
         const int first = std::max(smoothings, last);
         for (int round = 0; round < rounds; ++round)
             improve(first + (last - first) * round / (rounds - 1));
+        for (int round = rounds; isParting() && round < mostRoundsOfParting; ++round)
+            improve(last);
         const OutsideFlood flood(insideness(), points_,
                                  std::max(crustOfCells, crustOfSpacings * spacing()));
         // A finer grid does not look as far around a point, and may see one side at a time.
@@ -265,6 +230,11 @@ private:
         field_.holdOutside(flood.outside());
         for (int round = 0; round < roundsAfterFlood[grid_]; ++round)
             improve(last);
+    }
+
+    bool isParting() const
+    {
+        return grid_ == partingGrid && !isSheet_ && field_.contradictedShare() > mostContradicted;
     }
 
     void improve(int smoothings)
@@ -368,7 +338,7 @@ CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
                             std::size_t pointCount, int vertices, double hole, Workers &workers,
                             const Progress &progress)
 {
-    const GridFrame frame(points);
+    const GridFrame frame(points, firstCells);
     if (!frame.isProper())
         return {};
     std::vector<Point3> inGrid;

@@ -34,6 +34,11 @@ public:
     /// binomial kernel (1, 2, 1) / 4.
     void improve(int smoothings);
 
+    /// Share of the points whose normals were 60 degrees or more from the gradient before they last
+    /// turned to it: those of a wall that the field takes for one sheet, whose second side has the
+    /// normals of the first.
+    double contradictedShare() const { return contradictedShare_; }
+
     /// Holds the field at 0, that of the outside, at the nodes whose value is not 0.
     void holdOutside(const std::vector<unsigned char> &isOutside);
 
@@ -67,6 +72,7 @@ private:
     Grid field_;
     Grid source_, change_; ///< scratch
     NodeBox around_;       ///< nodes of the points' cells
+    double contradictedShare_ = 0;
 };
 
 } // namespace neuralmesh

@@ -105,20 +105,20 @@ TEST(CoarseShape, finds_the_handle_of_a_torus)
     expectShape(test::torusPoints(3000, 1, 0.4, 1), 1, 1);
 }
 
-/// The inside and the outside of a vase, an ellipsoid of half-axes 1, 1 and 1.5, and its brim
+/// The inside and the outside of a vase, an ellipsoid of half-axes 1, 1 and `height`, and its brim
 /// around a round mouth on top.
-test::Points vase(std::size_t count, double thickness, double mouth)
+test::Points vase(std::size_t count, double height, double thickness, double mouth)
 {
+    Random random(2);
     const double inner = 1 - thickness;
     test::Points points;
     for (const Point3 &p : test::spherePoints(count, 1)) {
-        const double radius = points.size() % 2 == 0 ? 1 : inner;
+        const double radius = random.unit() < 0.5 ? 1 : inner;
         if (p.Z() < 0 || radius * std::hypot(p.X(), p.Y()) > mouth)
-            points.push_back(Point3(p.X(), p.Y(), 1.5 * p.Z()) * radius);
+            points.push_back(Point3(p.X(), p.Y(), height * p.Z()) * radius);
     }
-    Random random(2);
-    const double low = 1.5 * std::sqrt(inner * inner - mouth * mouth);
-    const double high = 1.5 * std::sqrt(1 - mouth * mouth);
+    const double low = height * std::sqrt(inner * inner - mouth * mouth);
+    const double high = height * std::sqrt(1 - mouth * mouth);
     for (std::size_t i = 0; i < count / 20; ++i) {
         const double angle = 2 * M_PI * random.unit();
         const double z = low + (high - low) * random.unit();
@@ -130,7 +130,13 @@ test::Points vase(std::size_t count, double thickness, double mouth)
 TEST(CoarseShape, finds_the_inner_wall_of_a_vase)
 {
     // Two cells thick on the second grid; on the first, a membrane closes the mouth.
-    expectShape(vase(20000, 0.14, 0.7), 1, 0);
+    expectShape(vase(20000, 1.5, 0.14, 0.7), 1, 0);
+}
+
+TEST(CoarseShape, parts_the_sides_of_a_wall_of_one_cell)
+{
+    // On the second grid. A third of the normals has to turn.
+    expectShape(vase(20000, 2, 0.12, 0.6), 1, 0);
 }
 
 TEST(CoarseShape, finds_two_parts)

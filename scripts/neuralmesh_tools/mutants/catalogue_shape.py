@@ -153,7 +153,7 @@ SHAPE: tuple[Mutant, ...] = (
         "        return;",
         (
             "OutsideFlood.opens_a_mouth_behind_which_a_second_side_has_points",
-            "CoarseShape.finds_the_inner_wall_of_a_vase",
+            "CoarseShape.parts_the_sides_of_a_wall_of_one_cell",
         ),
     ),
     Mutant(
@@ -332,6 +332,14 @@ SHAPE: tuple[Mutant, ...] = (
         "(support_.farShare < faultless || isRepeated_)",
         "support_.farShare < faultless",
         ("CoarseShape.trusts_sheets_that_cross_where_two_grids_have_one_shape",),
+    ),
+    Mutant(
+        "walls-have-no-time-to-part",
+        "normals of a wall's second side have time to turn",
+        "core/shape/coarse_shape.cpp",
+        "isParting() && round < mostRoundsOfParting",
+        "false",
+        ("CoarseShape.parts_the_sides_of_a_wall_of_one_cell",),
     ),
     Mutant(
         "crumbs-stay",
