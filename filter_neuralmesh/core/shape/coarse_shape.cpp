@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "core/mesh/enumeration.h"
 #include "core/mesh/manifold_mesh.h"
@@ -37,15 +38,19 @@ constexpr double mostUnexplained = 0.005;
 constexpr double mostNoise = 0.32;
 /// And already from there, where its levels do not agree, and those of the coarser one do.
 constexpr double doubtfulNoise = 0.1;
-/// On the last grid the points are at most so many cells apart: fewer do not fill its surface.
-constexpr double widestSpacing = 0.9;
+/// On each grid the points are at most so many cells apart. Kernels bridge the gaps between them,
+/// so that cells which are much smaller show nothing; and those of the last need points to fill its
+/// surface. The first two are made in any case.
+constexpr double widestSpacing[] = {std::numeric_limits<double>::infinity(),
+                                    std::numeric_limits<double>::infinity(), 2.5, 0.9};
 
 /// Rounds of the field before the flood and after it: on the first grid and on each finer one,
 /// which starts from what the coarser found.
 constexpr int roundsBeforeFlood[] = {20, 4, 2, 2};
 constexpr int roundsAfterFlood[] = {3, 3, 2, 2};
 static_assert(lastCells == firstCells << (std::size(roundsBeforeFlood) - 1) &&
-                  std::size(roundsAfterFlood) == std::size(roundsBeforeFlood),
+                  std::size(roundsAfterFlood) == std::size(roundsBeforeFlood) &&
+                  std::size(widestSpacing) == std::size(roundsBeforeFlood),
               "Each grid has its rounds.");
 
 /// The second grid is the first to part the sides of a thin wall, whose normals turn slowly: while
@@ -186,13 +191,11 @@ private:
     /// between its nodes.
     bool isFineEnough(const Reading &reading) const
     {
-        if (isLast() || (isSheet_ && isStable_))
+        if (isLast() || (isSheet_ && isStable_) || 2 * spacing() > widestSpacing[grid_ + 1])
             return true;
         if (resolution() < usualCells)
             return isStable_ && (unexplained_ <= mostUnexplained || hasMembranes(reading));
-        return isUnanimous_ ||
-               startFaces_ <= pointCount_ * std::pow(spacingInGrid_ * resolution(), 2) ||
-               lastCells * spacingInGrid_ > widestSpacing;
+        return isUnanimous_ || startFaces_ <= pointCount_ * std::pow(spacing(), 2);
     }
 
     /// Finer grids tear open sheets and membranes where points are near.

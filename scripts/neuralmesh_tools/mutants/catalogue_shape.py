@@ -334,6 +334,14 @@ SHAPE: tuple[Mutant, ...] = (
         ("CoarseShape.trusts_sheets_that_cross_where_two_grids_have_one_shape",),
     ),
     Mutant(
+        "sparse-points-on-fine-grids",
+        "points that are far apart on a grid are not read on it",
+        "core/shape/coarse_shape.cpp",
+        " || 2 * spacing() > widestSpacing[grid_ + 1]",
+        "",
+        ("CoarseShape.leaves_out_parts_that_are_of_a_few_stray_points",),
+    ),
+    Mutant(
         "walls-have-no-time-to-part",
         "normals of a wall's second side have time to turn",
         "core/shape/coarse_shape.cpp",
