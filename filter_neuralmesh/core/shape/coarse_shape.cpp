@@ -53,11 +53,14 @@ static_assert(lastCells == firstCells << (std::size(roundsBeforeFlood) - 1) &&
                   std::size(widestSpacing) == std::size(roundsBeforeFlood),
               "Each grid has its rounds.");
 
-/// The second grid is the first to part the sides of a thin wall, whose normals turn slowly: while
-/// this share of its points or more contradicts the field, it has more rounds, up to so many.
-constexpr double mostContradicted = 0.04;
+/// The second grid is the first to part the sides of a thin wall, whose normals turn slowly. Where
+/// this share of its points or more contradicts the field, it has some rounds more; and where these
+/// have spread to the latter share, which what is only crowded never does, as many as all take.
 constexpr std::size_t partingGrid = 1;
-constexpr int mostRoundsOfParting = 24;
+constexpr double mostContradicted = 0.04;
+constexpr double leastSpread = 0.1;
+constexpr int roundsOfTrial = 4;
+constexpr int roundsOfParting = 20;
 
 /// All of them up to the usual grids, in rounds of the first: twice as many cells along each axis
 /// take eight times as long.
@@ -218,8 +221,8 @@ private:
         const int first = std::max(smoothings, last);
         for (int round = 0; round < rounds; ++round)
             improve(first + (last - first) * round / (rounds - 1));
-        for (int round = rounds; isParting() && round < mostRoundsOfParting; ++round)
-            improve(last);
+        if (grid_ == partingGrid && !isSheet_)
+            partWalls(last);
         const OutsideFlood flood(insideness(), points_,
                                  std::max(crustOfCells, crustOfSpacings * spacing()));
         // A finer grid does not look as far around a point, and may see one side at a time.
@@ -235,9 +238,17 @@ private:
             improve(last);
     }
 
-    bool isParting() const
+    /// More rounds, while there are walls to part. What is none stays as it was.
+    void partWalls(int smoothings)
     {
-        return grid_ == partingGrid && !isSheet_ && field_.contradictedShare() > mostContradicted;
+        const WindingField::State before = field_.state();
+        for (int round = 0; round < roundsOfParting; ++round) {
+            if (field_.contradictedShare() <= mostContradicted)
+                return;
+            if (round == roundsOfTrial && field_.contradictedShare() < leastSpread)
+                return field_.goBack(before);
+            improve(smoothings);
+        }
     }
 
     void improve(int smoothings)

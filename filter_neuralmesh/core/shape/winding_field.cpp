@@ -172,6 +172,12 @@ void WindingField::turnNormals()
     contradictedShare_ = static_cast<double>(contradicted) / static_cast<double>(places_.size());
 }
 
+void WindingField::goBack(const State &state)
+{
+    field_ = state.field;
+    normals_ = state.normals;
+}
+
 void WindingField::holdOutside(const std::vector<unsigned char> &isOutside)
 {
     solver_.hold(isOutside);

@@ -39,6 +39,14 @@ public:
     /// normals of the first.
     double contradictedShare() const { return contradictedShare_; }
 
+    /// To go back to, on the same grid.
+    struct State {
+        Grid field;
+        std::vector<vcg::Point3f> normals;
+    };
+    State state() const { return {field_, normals_}; }
+    void goBack(const State &state);
+
     /// Holds the field at 0, that of the outside, at the nodes whose value is not 0.
     void holdOutside(const std::vector<unsigned char> &isOutside);
 

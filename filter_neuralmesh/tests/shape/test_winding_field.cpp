@@ -206,5 +206,23 @@ TEST(WindingField, level_of_points_is_a_half_where_no_points_are)
     EXPECT_FLOAT_EQ(field.levelOfPoints().at(2, 2, 2), 0.5F);
 }
 
+TEST(WindingField, goes_back_to_where_it_was)
+{
+    const test::Points points = sphere(0.3, 2000);
+    WindingField field(points, cube, alone);
+    learn(field, 5, 8);
+    const WindingField::State before = field.state();
+    const double error = rms(field, points);
+    field.improve(2);
+    EXPECT_NE(rms(field, points), error);
+    field.goBack(before);
+    EXPECT_EQ(rms(field, points), error);
+    field.improve(2);
+    const double once = rms(field, points);
+    field.goBack(before);
+    field.improve(2);
+    EXPECT_EQ(rms(field, points), once); // its normals, too
+}
+
 } // namespace
 } // namespace neuralmesh

@@ -345,7 +345,7 @@ SHAPE: tuple[Mutant, ...] = (
         "walls-have-no-time-to-part",
         "normals of a wall's second side have time to turn",
         "core/shape/coarse_shape.cpp",
-        "isParting() && round < mostRoundsOfParting",
+        "round < roundsOfParting",
         "false",
         ("CoarseShape.parts_the_sides_of_a_wall_of_one_cell",),
     ),
