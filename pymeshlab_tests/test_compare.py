@@ -366,7 +366,9 @@ def test_ticks_of_errors_carry_their_full_value(screen: Callable[[int], Chrome],
         (["--timeout", "nan"], "must be a positive number, not 'nan'"),
         (["--threshold", "inf"], "must be a positive number, not 'inf'"),
         (["x" * 300], "there is no file xxx"),
-        ([""], "there is no file ."),
+        (["{cloud.parent}"], " is a folder: name the files in it, as "),
+        (["--reference", "{cloud.parent}"], " is a folder: name the file"),
+        ([""], ". is a folder: name the files in it, as *.ply"),
     ],
 )
 def test_what_cannot_work_is_said_at_once(tmp_path: Path, options: list[str], sentence: str):
