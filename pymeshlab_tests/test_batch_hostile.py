@@ -48,7 +48,8 @@ def test_names_that_something_could_trip_over_are_names_like_others(cloud: Path,
     odd = ["a" * 236 + ".ply", "b" * 251 + ".ply", "[/].ply", ":x:.ply", "line\nend.ply"]
     odd += ["\x1b[31mred.ply", "..ply", "report.ply", "größe.ply", " space .ply", "-n.ply"]
     copies(cloud, scans, [*odd, b"gr\xf6\xdfe.ply"])
-    run = run_batch(scans, "--out", out, *SMALL)
+    inputs = (scans, scans / "..ply")  # a hidden file is no scan of a folder
+    run = run_batch(*inputs, "--out", out, *SMALL)
     assert run.returncode == 0, run.stdout + run.stderr
     assert f"{len(odd) + 1} done, 0 failed" in run.stdout
     assert "\x1b" not in run.stdout
@@ -57,7 +58,7 @@ def test_names_that_something_could_trip_over_are_names_like_others(cloud: Path,
     assert len(outputs) == len(odd) + 1
     assert {"a" * 236 + ".ply", "[/].ply", "..ply.ply", "größe.ply", "gr%F6%DFe.ply"} <= outputs
     assert all((out / output).is_file() for output in outputs)
-    again = run_batch(scans, "--out", out, *SMALL)
+    again = run_batch(*inputs, "--out", out, *SMALL)
     assert f"{len(odd) + 1} of them done before" in again.stdout
 
 

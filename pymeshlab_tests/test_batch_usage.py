@@ -5,13 +5,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 from batches import report, run_batch
 
 from neuralmesh_tools.batching.inputs import InputError, Inputs, find_items
 from neuralmesh_tools.batching.left_out import left_out_text
 from neuralmesh_tools.batching.recipe import Recipe, RecipeError, parse_settings
-from neuralmesh_tools.generated_clouds import write_clouds
+from neuralmesh_tools.generated_clouds import bumpy_ellipsoid, write_clouds
 
 pytestmark = pytest.mark.usefixtures("plugin")
 
@@ -108,6 +109,57 @@ def test_what_a_folder_leaves_out_is_named_and_counted(tmp_path: Path):
     )
     with pytest.raises(InputError, match=r"holds no scans\. Left out: 1 × \.txt \(old\.txt\)\.$"):
         find_items([str(folder / "out")], [], tmp_path / "out")
+
+
+def test_hidden_files_and_folders_are_left_out_unless_they_are_named(tmp_path: Path):
+    folder = tmp_path / "scans"
+    for name in ("a.ply", "._a.ply", ".hidden.ply", ".DS_Store", ".git/b.ply"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).touch()
+    found = find_items([str(folder)], [], tmp_path / "out")
+    assert names(found) == ["a"]
+    assert left_out_text(found.left_out) == (
+        "Left out: 3 × hidden (.DS_Store, ._a.ply, .hidden.ply); 1 × a hidden folder (.git)."
+    )
+    assert names(find_items([str(folder / ".hidden.ply")], [], tmp_path / "out")) == [".hidden"]
+
+
+@pytest.mark.parametrize("pattern", ["", "/**/*"])
+def test_a_batch_into_its_own_inputs_takes_no_output_for_a_scan(tmp_path: Path, pattern: str):
+    folder = tmp_path / "tiles"
+    for name in ("a.xyz", "deep/b.xyz"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        points = bumpy_ellipsoid(100, 1)
+        np.savetxt(folder / name, points)
+    arguments = (f"{folder}{pattern}", "--out", folder, "--vertices", 20)
+    first, second = run_batch(*arguments), run_batch(*arguments)
+    assert first.returncode == second.returncode == 0, first.stdout + second.stdout
+    assert "2 items, 0 of them done before" in first.stdout
+    assert "2 items, 2 of them done before" in second.stdout
+    left_out = {Path(found["path"]).name: found["kind"] for found in report(folder)["left_out"]}
+    written = ("a.ply", "b.ply", "a.log", "b.log", "report.csv", "report.json")
+    assert left_out == dict.fromkeys(written, "written by a batch")
+
+
+def test_reports_of_another_batch_are_no_scans_and_its_meshes_are(tmp_path: Path):
+    for name in (".batch/run", "report.csv", "mesh.csv", "deep/report.csv"):
+        (tmp_path / "meshes" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "meshes" / name).touch()
+    found = find_items([str(tmp_path / "meshes")], [], tmp_path / "out", [".csv"])
+    assert names(found) == ["mesh", "deep/report"]
+    assert left_out_text(found.left_out) == "Left out: 1 × written by a batch (report.csv)."
+
+
+def test_a_mesh_never_takes_the_place_of_a_scan(clouds: Path):
+    before = {path: path.read_bytes() for path in clouds.iterdir()}
+    run = run_batch(clouds, "--out", clouds, "--vertices", 20)
+    assert run.returncode == 2
+    assert run.stderr == (
+        f"The mesh of {clouds / 'cloud000.ply'} would take the place of the scan "
+        f"{clouds / 'cloud000.ply'}: choose another --out or --format.\n"
+    )
+    assert {path: path.read_bytes() for path in clouds.iterdir()} == before
+    assert run_batch(clouds, "--out", clouds, "--format", "obj", "--vertices", 20).returncode == 0
 
 
 def test_a_batch_says_what_its_folder_leaves_out(clouds: Path, tmp_path: Path):

@@ -343,6 +343,19 @@ def test_on_a_wide_screen_views_stand_side_by_side(screen: Callable[[int], Chrom
     assert first[2] < second[0]
 
 
+@pytest.mark.parametrize("width", [390, 1400])
+def test_ticks_of_errors_carry_their_full_value(screen: Callable[[int], Chrome], width: int):
+    found = screen(width).execute_script(
+        """const place = document.querySelector("#cloud1 .charts");
+        const ticks = [...place.querySelectorAll(".ytick text")].map(tick => tick.textContent);
+        const errors = place.data.filter(t => t.type === "scatter").flatMap(t => t.y);
+        return { ticks, errors };"""
+    )
+    shown = [float(text) for text in found["ticks"]]
+    assert len(shown) >= 2
+    assert shown[0] <= min(found["errors"]) <= max(found["errors"]) <= shown[-1]
+
+
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
@@ -353,7 +366,9 @@ def test_on_a_wide_screen_views_stand_side_by_side(screen: Callable[[int], Chrom
         (["--timeout", "nan"], "must be a positive number, not 'nan'"),
         (["--threshold", "inf"], "must be a positive number, not 'inf'"),
         (["x" * 300], "there is no file xxx"),
-        ([""], "there is no file ."),
+        (["{cloud.parent}"], " is a folder: name the files in it, as "),
+        (["--reference", "{cloud.parent}"], " is a folder: name the file"),
+        ([""], ". is a folder: name the files in it, as *.ply"),
     ],
 )
 def test_what_cannot_work_is_said_at_once(tmp_path: Path, options: list[str], sentence: str):

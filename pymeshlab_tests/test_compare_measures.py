@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from neuralmesh_tools.comparison.clouds import Cloud, Reference, load_cloud, load_surface
+from neuralmesh_tools.comparison.figures import error_ticks
 from neuralmesh_tools.comparison.kept import keep, kept
 from neuralmesh_tools.comparison.measures import error_of, measure
 from neuralmesh_tools.comparison.run import (
@@ -32,6 +33,22 @@ def sphere_cloud() -> Cloud:
     """The 6,402 vertices of SPHERE, with their true normals."""
     points, _ = SPHERE
     return Cloud(points, points, "its own", spacing=0.03)
+
+
+@pytest.mark.parametrize(
+    ("errors", "ticks"),
+    [
+        ([0.21, 0.45], [0.2, 0.5]),  # where Plotly has no tick of its own
+        ([0.5, 2.0], [0.5, 1, 2]),
+        ([0.04], [0.02, 0.05]),
+        ([0.001], [0.001, 0.002]),
+        ([0.0, 0.3], [0.2, 0.5]),
+        ([], [1, 2]),
+        ([3e-9, 0.02], [10.0**k for k in range(-9, 0)]),
+    ],
+)
+def test_ticks_of_errors_enclose_them(errors: list[float], ticks: list[float]):
+    assert error_ticks(errors) == pytest.approx(ticks)
 
 
 def test_a_larger_sphere_is_off_by_its_radius_against_a_surface_and_a_cloud():

@@ -6,7 +6,9 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+import tarfile
 import tomllib
+from importlib.metadata import files
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +17,8 @@ import pytest
 import rattler_build
 from nbclient import NotebookClient
 
-from neuralmesh_tools.project import ROOT
+from neuralmesh_tools.project import ROOT, SCRIPTS
+from neuralmesh_tools.release.check import NOTICES, check_notices
 
 TOOLS = Path(sys.executable).parent
 PROJECTS = [ROOT / "pyproject.toml", ROOT / "python/neuralmesh/pyproject.toml"]
@@ -50,6 +53,42 @@ def test_package_says_by_whom_and_for_which_python_it_is(project: Path) -> None:
     assert said["license"] == "GPL-3.0-or-later"
     assert said["requires-python"] == ">=3.10"
     assert "Operating System :: POSIX :: Linux" in said["classifiers"]
+
+
+# ------------------------------------------------------------------------------------- licences
+
+
+@pytest.mark.parametrize("project", PROJECTS, ids=["pymeshlab_neuralmesh", "neuralmesh"])
+def test_wheels_hold_the_licence_and_the_notices_of_others(project: Path) -> None:
+    assert metadata(project)["license-files"] == list(NOTICES)
+    for name in NOTICES:
+        assert (project.parent / name).read_bytes() == (ROOT / name).read_bytes()
+
+
+def test_archives_and_conda_packages_hold_them_too() -> None:
+    (copied,) = re.findall(r"^ +cp (.*) ", (SCRIPTS / "release").read_text("utf-8"), re.MULTILINE)
+    assert set(NOTICES) <= set(copied.split())
+    (recipe, *_) = rendered("linux-64")
+    assert recipe["about"]["license_file"] == [f"project/{name}" for name in NOTICES]
+
+
+def test_notices_are_those_of_the_sources_that_are_compiled_in() -> None:
+    command = [SCRIPTS / "setup", "--print-muparser-source"]
+    muparser = subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+    (nanobind,) = (f for f in files("nanobind") or [] if f.match("licenses/LICENSE"))
+    notices = (ROOT / NOTICES[1]).read_text("utf-8")
+    for licence in (Path(muparser) / "LICENSE", Path(str(nanobind.locate()))):
+        assert licence.read_text("utf-8").strip() in notices
+
+
+def test_an_archive_without_notices_is_no_release(tmp_path: Path) -> None:
+    for held in (NOTICES, NOTICES[:1]):
+        with tarfile.open(tmp_path / f"{len(held)}.tar.gz", "w:gz") as tar:
+            for name in held:
+                tar.add(ROOT / name, f"neural-mesh/{name}")
+    check_notices(tmp_path / "2.tar.gz")
+    with pytest.raises(RuntimeError, match=r"1\.tar\.gz lacks THIRD_PARTY_NOTICES\.txt"):
+        check_notices(tmp_path / "1.tar.gz")
 
 
 # --------------------------------------------------------------------------------------- conda

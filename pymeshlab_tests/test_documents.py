@@ -235,6 +235,29 @@ def test_what_is_said_to_be_in_a_file_is_in_it(file: str, names: list[str]) -> N
     assert [name for name in names if not re.search(rf"\b{name}\b", source)] == []
 
 
+def test_every_source_that_asks_for_the_system_is_told_of() -> None:
+    asks = re.compile(
+        r"__linux__|_WIN32|_MSC_VER|__APPLE__|/proc/|#include <(sys/|windows\.h|unistd\.h|fcntl\.h)"
+    )
+    folder = ROOT / "filter_neuralmesh"
+    sources = [path for ending in ("h", "cpp") for path in folder.rglob(f"*.{ending}")]
+    asking = {
+        path.name
+        for path in sources
+        if "tests" not in path.relative_to(folder).parts and asks.search(path.read_text("utf-8"))
+    }
+    assert "free_memory.cpp" in asking
+    assert [name for name in sorted(asking) if name not in TEXTS["docs/hosts.md"]] == []
+
+
+def test_every_example_says_what_the_plugin_is_called_elsewhere() -> None:
+    folders = (ROOT / "scripts/examples", ROOT / "pymeshlab_tests/examples")
+    texts = {path: path.read_text("utf-8") for f in folders for path in f.glob("*.py")}
+    naming = {path for path, text in texts.items() if "libfilter_neuralmesh.so" in text}
+    assert len(naming) >= 13
+    assert [path.name for path in naming if "filter_neuralmesh.dll" not in texts[path]] == []
+
+
 def test_every_equation_of_the_paper_has_a_place() -> None:
     rows = table_rows(
         section(TEXTS["docs/algorithm.md"], "The paper, step by step").split("Each eq")[1]

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pymeshlab
 
+# On Linux and macOS; filter_neuralmesh.dll on Windows.
 pymeshlab.load_plugin("build/pymeshlab/libfilter_neuralmesh.so")
 
 samples = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"

@@ -3,6 +3,7 @@
 
 import pymeshlab
 
+# On Linux and macOS; filter_neuralmesh.dll on Windows.
 pymeshlab.load_plugin("build/pymeshlab/libfilter_neuralmesh.so")
 
 ms = pymeshlab.MeshSet()

@@ -4,6 +4,7 @@
 import numpy as np
 import pymeshlab
 
+# On Linux and macOS; filter_neuralmesh.dll on Windows.
 pymeshlab.load_plugin("build/pymeshlab/libfilter_neuralmesh.so")
 
 # Two million points on an ellipsoid, an N by 3 array.

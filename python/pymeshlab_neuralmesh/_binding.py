@@ -39,14 +39,38 @@ from pymeshlab import MeshSet, filter_list, load_plugin  # noqa: E402
 from ._arguments import arguments_of  # noqa: E402
 from ._documentation import FilterDocumentation, documentation  # noqa: E402
 
+DOCUMENTATION = documentation(PLUGIN)
+FILTERS = tuple(filter_.name for filter_ in DOCUMENTATION)
+
+# The plugin may be among PyMeshLab's own already, by `cmake --install`.
+if not set(FILTERS) <= set(filter_list()):
+    load_plugin(str(PLUGIN))
+
+# A filter that raises leaves a fault in PyMeshLab: loading a mesh after the failed document was
+# freed may crash. Failed documents stay until Python ends.
+FAILED: dict[int, MeshSet] = {}
+
+_described = {filter_.name: (filter_.parameters, filter_.defaults()) for filter_ in DOCUMENTATION}
+_apply_filter = MeshSet.apply_filter
+
+
+def apply_filter(self: MeshSet, filter_name: str, **given: object) -> dict[str, object]:
+    """Apply a filter by its name. Arguments of our filters may be written as for their methods."""
+    if filter_name in _described:
+        given = arguments_of(filter_name, given, *_described[filter_name])
+    try:
+        return _apply_filter(self, filter_name, **given)
+    except Exception:
+        FAILED[id(self)] = self
+        raise
+
 
 def bind(filter_: FilterDocumentation) -> None:
     """Make a filter a method of MeshSet."""
     name = filter_.name
-    defaults = filter_.defaults()
 
     def method(self: MeshSet, **given: object) -> dict[str, object]:
-        return self.apply_filter(name, **arguments_of(name, given, filter_.parameters, defaults))
+        return self.apply_filter(name, **given)
 
     method.__name__ = name
     method.__qualname__ = f"MeshSet.{name}"
@@ -55,11 +79,6 @@ def bind(filter_: FilterDocumentation) -> None:
     setattr(MeshSet, name, method)
 
 
-DOCUMENTATION = documentation(PLUGIN)
-FILTERS = tuple(filter_.name for filter_ in DOCUMENTATION)
-
-# The plugin may be among PyMeshLab's own already, by `cmake --install`.
-if not set(FILTERS) <= set(filter_list()):
-    load_plugin(str(PLUGIN))
+MeshSet.apply_filter = apply_filter
 for described in DOCUMENTATION:
     bind(described)

@@ -9,6 +9,7 @@ FILTER = "generate_surface_reconstruction_neural_mesh"
 LEVELS = (100, 400, 1600)
 
 root = Path(__file__).resolve().parent.parent.parent
+# On Linux and macOS; filter_neuralmesh.dll on Windows.
 pymeshlab.load_plugin(str(root / "build/pymeshlab/libfilter_neuralmesh.so"))
 samples = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"
 

@@ -10,6 +10,7 @@ os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")  # no X
 import pyvista
 
 root = Path(__file__).resolve().parent.parent.parent
+# On Linux and macOS; filter_neuralmesh.dll on Windows.
 pymeshlab.load_plugin(str(root / "build/pymeshlab/libfilter_neuralmesh.so"))
 samples = Path(pymeshlab.__file__).parent / "tests" / "sample_meshes"
 

@@ -28,6 +28,7 @@ SOURCE = (
     "print(pathlib.Path(pymeshlab.__file__).parent / 'tests' / 'sample_meshes' / 'bunny.obj')"
 )
 source = subprocess.check_output([sys.executable, "-c", SOURCE], text=True).strip()
+# On Linux and macOS; filter_neuralmesh.dll on Windows.
 plugin = str(root / "build/pymeshlab/libfilter_neuralmesh.so")
 
 filtering = subprocess.Popen(

@@ -102,6 +102,7 @@ def test_tiles_of_a_folder_make_one_cloud(ball: Points, tmp_path: Path) -> None:
     for number in range(4):
         np.save(tiles / f"tile_{number}.npy", ball[number::4])
     (tiles / "readme.md").write_text("not a tile", "utf-8")
+    (tiles / "._tile_0.npy").write_bytes(b"what macOS keeps beside a file")
     out = tmp_path / "ball.ply"
     assert main([str(tiles), "--merge", "-n", "200", "-o", str(out), "-q"]) == 0
     merged = np.vstack([ball[number::4] for number in range(4)])

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from neuralmesh_tools.project import ROOT
 from neuralmesh_tools.release import needs
+from neuralmesh_tools.release.check import NOTICES
 
 SCRIPT = """
 import neuralmesh, numpy as np
@@ -98,7 +99,7 @@ def test_the_wheel_says_what_it_is(wheel: Path) -> None:
         metadata = message_from_string(archive.read(place).decode("utf-8"))
     assert "neuralmesh/py.typed" in names
     assert "neuralmesh/_core.pyi" in names
-    assert any(name.endswith("LICENSE") for name in names)
+    assert set(NOTICES) <= {Path(name).name for name in names}
     assert metadata["Name"] == "neuralmesh"
     assert metadata["Version"] == neuralmesh.__version__
     assert metadata["License-Expression"] == "GPL-3.0-or-later"

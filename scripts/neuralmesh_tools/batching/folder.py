@@ -29,6 +29,7 @@ from neuralmesh_tools.files import fitting, write_in_one_step
 
 Record = dict[str, Any]
 STATE = ".batch"
+REPORTS = ("report.json", "report.csv")
 # What is asked of a record that is read: another one is as good as none.
 FIELDS: dict[str, type | tuple[type, ...]] = {
     **dict.fromkeys(("name", "input", "fingerprint", "output", "outcome", "error", "run"), str),
@@ -114,15 +115,19 @@ class OutFolder:
 
     def record(self, name: str) -> Record | None:
         """The record of an item, None if there is none that can be read."""
-        path = self._record_path(name)
-        try:
-            record = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
-        except (OSError, ValueError, RecursionError):
-            return None
-        if not isinstance(record, dict):
-            return None
-        is_whole = all(isinstance(record.get(key), kind) for key, kind in FIELDS.items())
-        return record if is_whole else None
+        return _record_in(self._record_path(name))
+
+    def written(self) -> set[Path]:
+        """What batches have written here and may be taken for scans, by the records that there are.
+
+        An output counts as written although it was changed since: the batch writes there again.
+        """
+        found = {self.root / name for name in REPORTS}
+        for path in (self.root / STATE / "records").rglob("*.json"):
+            record = _record_in(path)
+            if record and self._is_output_of(record["name"], record):
+                found |= {self.root / record["output"], self.log(record["name"])}
+        return found
 
     def write_record(self, name: str, record: Record) -> None:
         """Keep an item's record, on the disk before this returns. Raises OSError."""
@@ -139,14 +144,17 @@ class OutFolder:
 
     def _has_output_of(self, name: str, record: Record) -> bool:
         """Whether the output that a record names can be the item's, and is there as it was."""
-        suffix = PurePosixPath(record["output"]).suffix
-        output = self.output(name, suffix)
+        output = self.root / record["output"]
         return (
-            bool(suffix)
-            and output == self.root / record["output"]
+            self._is_output_of(name, record)
             and output.is_file()
             and output.stat().st_size == record["output_bytes"]
         )
+
+    def _is_output_of(self, name: str, record: Record) -> bool:
+        """Whether a record names an output that can be the item's."""
+        suffix = PurePosixPath(record["output"]).suffix
+        return bool(suffix) and self.output(name, suffix) == self.root / record["output"]
 
     def move_into_place(self, partial: Path, name: str, suffix: str) -> Path:
         """Move all files of partial beside the output, the output last; return its path.
@@ -155,7 +163,7 @@ class OutFolder:
         """
         output = self.output(name, suffix)
         self.make_room_for(output)
-        if output in (self.root / "report.json", self.root / "report.csv"):
+        if output in [self.root / name for name in REPORTS]:
             raise OSError(f"Its output would lie where the batch writes {output.name}.")
         files = sorted(partial.iterdir(), key=lambda file: file.name == output.name)
         for file in files:
@@ -171,6 +179,18 @@ class OutFolder:
             output = self.root / record["output"]
             self.make_room_for(output)
             output.unlink(missing_ok=True)
+
+
+def _record_in(path: Path) -> Record | None:
+    """The record that a file holds, None if it holds none that is whole."""
+    try:
+        record = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
+    except (OSError, ValueError, RecursionError):
+        return None
+    if not isinstance(record, dict):
+        return None
+    is_whole = all(isinstance(record.get(key), kind) for key, kind in FIELDS.items())
+    return record if is_whole else None
 
 
 def _place(name: str, ending: str) -> PurePosixPath:

@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from neuralmesh_tools.batching.folder import STATE
+from neuralmesh_tools.batching.folder import REPORTS, STATE, OutFolder
 from neuralmesh_tools.batching.left_out import LeftOut, left_out_text
 from neuralmesh_tools.batching.names import Source, distinct_names
 
@@ -21,6 +21,9 @@ PYMESHLAB_SUFFIXES = {
         *("obj", "off", "ply", "pts", "ptx", "qobj", "stl", "tri", "vmi", "wrl", "x3d", "xyz"),
     )
 }
+
+# The kind of what a batch left behind.
+WRITTEN = "written by a batch"
 
 
 class InputError(ValueError):
@@ -51,18 +54,22 @@ def find_items(
 ) -> Inputs:
     """Return the batch's items, in the order given, each file once.
 
-    A folder stands for the scans in and under it, files whose ending is one of suffixes;
-    their outputs keep their place relative to it, and what lies in out is left out. A file that is
-    named outright may have any ending. Files that do not exist become items too: they fail, each
-    with its sentence, and the rest goes on. Names are told apart as names.py says.
+    A folder stands for the scans in and under it, files whose ending is one of suffixes; their
+    outputs keep their place relative to it. A file that is named outright may have any ending. What
+    a batch wrote in out is no scan of a folder or a glob: a folder out inside the inputs is passed
+    over, and where out is a folder of scans itself, records tell. Files that do not exist become
+    items too: they fail, each with its sentence, and the rest goes on. Names are told apart as
+    names.py says.
     Raises InputError if an input is empty, if a folder or a glob holds nothing, or if a list cannot
     be read.
     """
+    folder = OutFolder(out.resolve())
+    written = folder.written()
     entries = [*arguments, *(line for path in lists for line in read_list(path))]
     sources: dict[Path, Source] = {}
     left_out: dict[Path, LeftOut] = {}
     for entry in entries:
-        for found in _found_in(entry, out.resolve(), suffixes):
+        for found in _found_in(entry, folder.root, written, suffixes):
             if isinstance(found, LeftOut):
                 left_out.setdefault(found.path, found)
             else:
@@ -88,12 +95,14 @@ def read_list(path: Path) -> list[str]:
     return [line for line in stripped if line and not line.startswith("#")]
 
 
-def _found_in(entry: str, out: Path, suffixes: Collection[str]) -> Iterator[Source | LeftOut]:
+def _found_in(
+    entry: str, out: Path, written: Collection[Path], suffixes: Collection[str]
+) -> Iterator[Source | LeftOut]:
     if not entry.strip():
         raise InputError("An input is empty: it names no file. Is a variable not set?")
     path = Path(entry)
     if _is_folder(path):
-        yield from _scans_in(path, out, suffixes)
+        yield from _scans_in(path, out, written, suffixes)
     elif os.path.lexists(entry) or not glob.has_magic(entry):
         yield Source(_absolute(path), Path(path.name))
     else:
@@ -102,10 +111,14 @@ def _found_in(entry: str, out: Path, suffixes: Collection[str]) -> Iterator[Sour
         if not files:
             raise InputError(f"Nothing matches {entry}.")
         for file in files:
-            yield Source(_absolute(file), Path(file.name))
+            path = _absolute(file)
+            is_scan = path not in written
+            yield Source(path, Path(file.name)) if is_scan else LeftOut(path, WRITTEN)
 
 
-def _scans_in(folder: Path, out: Path, suffixes: Collection[str]) -> Iterator[Source | LeftOut]:
+def _scans_in(
+    folder: Path, out: Path, written: Collection[Path], suffixes: Collection[str]
+) -> Iterator[Source | LeftOut]:
     """The scans in and under a folder, and what else is there; links to folders are not followed.
 
     Raises InputError if there is no scan.
@@ -114,17 +127,22 @@ def _scans_in(folder: Path, out: Path, suffixes: Collection[str]) -> Iterator[So
     unreadable: list[OSError] = []
     for root, folders, files in os.walk(folder, onerror=unreadable.append):
         here = Path(root)
-        links = [name for name in folders if (here / name).is_symlink()]
-        left_out += [LeftOut(_absolute(here) / name, "a link to a folder") for name in links]
         # A batch's own files are no inputs: neither this one's nor those of another one.
-        folders[:] = sorted(
-            name
-            for name in folders
-            if name not in links and name != STATE and _absolute(here / name) != out
-        )
+        reports = {_absolute(here) / name for name in REPORTS} if STATE in folders else set()
+        entered = []
+        for name in sorted(folders):
+            if name == STATE or _absolute(here / name) == out:
+                continue
+            if reason := _why_not_entered(here / name):
+                left_out.append(LeftOut(_absolute(here) / name, reason))
+            else:
+                entered.append(name)
+        folders[:] = entered
         for path in (here / name for name in sorted(files)):
-            if reason := _why_not(path, suffixes):
-                left_out.append(LeftOut(_absolute(here) / path.name, reason))
+            place = _absolute(here) / path.name
+            is_written = place in written or place in reports
+            if reason := WRITTEN if is_written else _why_not(path, suffixes):
+                left_out.append(LeftOut(place, reason))
             else:
                 sources.append(Source(_absolute(path), path.relative_to(folder)))
     left_out += [
@@ -137,8 +155,17 @@ def _scans_in(folder: Path, out: Path, suffixes: Collection[str]) -> Iterator[So
     yield from left_out
 
 
+def _why_not_entered(folder: Path) -> str:
+    """Why scans are not looked for in a folder; empty if they are."""
+    if folder.is_symlink():
+        return "a link to a folder"
+    return "a hidden folder" if folder.name.startswith(".") else ""
+
+
 def _why_not(path: Path, suffixes: Collection[str]) -> str:
     """Why a file of a folder is no scan; empty if it is one."""
+    if path.name.startswith("."):  # of a program's, as ._x.ply beside x.ply on disks of macOS
+        return "hidden"
     if path.suffix.lower() not in suffixes:
         return path.suffix.lower() or "no ending"
     if path.is_file():

@@ -19,7 +19,7 @@ from rich.text import Text
 from neuralmesh_tools.batching import report
 from neuralmesh_tools.batching.engine import run_jobs
 from neuralmesh_tools.batching.folder import OutFolder, Record
-from neuralmesh_tools.batching.inputs import Inputs, Item
+from neuralmesh_tools.batching.inputs import InputError, Inputs, Item
 from neuralmesh_tools.batching.left_out import left_out_text
 from neuralmesh_tools.batching.recipe import Recipe
 from neuralmesh_tools.batching.work import Job
@@ -46,10 +46,11 @@ def run_batch(inputs: Inputs, recipe: Recipe, settings: Settings, console: Conso
     0: all items have their output. 1: some have failed, or there is no room for the report. 130:
     stopped by Ctrl-C or SIGTERM.
     Raises folder.Locked if another batch works in the folder, OSError if that cannot be written to
-    or a scheduler does not answer.
+    or a scheduler does not answer, InputError if an output would take the place of a scan.
     """
     items = inputs.items
     folder = OutFolder(settings.out.resolve())
+    _require_scans_kept(items, folder, recipe.suffix)
     run = f"{time.strftime('%Y%m%d-%H%M%S')}-{uuid.uuid4().hex[:8]}"
     interrupted = False
     with folder.locked(run), _sigterm_is_ctrl_c():
@@ -82,6 +83,18 @@ def run_batch(inputs: Inputs, recipe: Recipe, settings: Settings, console: Conso
         unwritten = _write_report(folder, records, recipe, inputs, console)
     code = _say_what_came_out(records, folder, interrupted, console)
     return code or int(unwritten)
+
+
+def _require_scans_kept(items: list[Item], folder: OutFolder, suffix: str) -> None:
+    """Raise InputError where an output would take the place of a scan of the batch."""
+    sources = {item.source for item in items}
+    for item in items:
+        output = folder.output(item.name, suffix)
+        if output in sources:
+            raise InputError(
+                f"The mesh of {item.source} would take the place of the scan {output}: "
+                "choose another --out or --format."
+            )
 
 
 def _write_report(

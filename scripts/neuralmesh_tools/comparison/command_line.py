@@ -80,8 +80,8 @@ def parse_arguments(description: str | None, given: Sequence[str] | None) -> arg
     if options.threads < 1:
         parser.error("--threads must be at least 1")
     for path in [*options.clouds, *filter(None, [options.reference])]:
-        if not _is_file(path):
-            parser.error(f"there is no file {shown(path)}")
+        if problem := _why_no_file(path):
+            parser.error(problem)
     # Each cloud once, in the order given.
     options.clouds = list({path.resolve(): path for path in options.clouds}.values())
     if options.plugin and any(METHODS[name].exact for name in options.methods):
@@ -96,11 +96,16 @@ def _script_command() -> str:
     return "scripts/compare.py " + " ".join(sys.argv[1:])
 
 
-def _is_file(path: Path) -> bool:
+def _why_no_file(path: Path) -> str:
+    """Why a path names no file that can be compared; empty if it does."""
     try:
-        return path.is_file()
+        if path.is_file():
+            return ""
+        if path.is_dir():
+            return f"{shown(path)} is a folder: name the files in it, as {shown(path / '*.ply')}"
     except OSError:  # such as a name that is too long
-        return False
+        pass
+    return f"there is no file {shown(path)}"
 
 
 def settings_of(options: argparse.Namespace) -> Settings:

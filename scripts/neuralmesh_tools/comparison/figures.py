@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable
+
 import numpy as np
 import plotly.graph_objects as go
 from plotly.subplots import make_subplots
@@ -33,6 +36,9 @@ METHOD_COLOURS = dict(
 # that is far off would turn all others blue.
 SCALE_PERCENTILE = 98
 SMALLEST_VALENCE = 3
+# Three ticks a decade have room in the chart up to these; the margin is for markers on its edges.
+MOST_DECADES = 3
+MARGIN = 1.1
 FONT = {"family": "system-ui, sans-serif", "size": 13, "color": "#1d2733"}
 # As MeshLab opens a document: y up, seen from z.
 CAMERA = {"up": {"x": 0, "y": 1, "z": 0}, "eye": {"x": 0.35, "y": 0.3, "z": 1.75}}
@@ -153,7 +159,21 @@ def charts(comparison: Comparison) -> go.Figure:
         bars = go.Bar(x=names, y=shares, marker={"color": colour}, showlegend=False, **style)
         figure.add_trace(line, row=1, col=1)
         figure.add_trace(bars, row=1, col=2)
+    _set_axes(figure, comparison)
+    figure.update_layout(
+        height=CHARTS_HEIGHT,
+        margin={"l": 70, "r": 10, "t": 50, "b": 50},
+        font=FONT,
+        plot_bgcolor="white",
+        legend={"orientation": "h", "y": -0.18},
+        bargap=0.15,
+    )
+    return figure
+
+
+def _set_axes(figure: go.Figure, comparison: Comparison) -> None:
     grid = {"gridcolor": "#e4e8ec", "zeroline": False}
+    errors = error_ticks(e for r in comparison.results if r.mesh is not None for _, e in r.curve)
     ticks = [round(comparison.vertices * fraction) for fraction in CHART_FRACTIONS]
     figure.update_xaxes(
         type="log",
@@ -167,20 +187,28 @@ def charts(comparison: Comparison) -> go.Figure:
     figure.update_yaxes(
         type="log",
         title_text="% of the diagonal",
-        exponentformat="power",
-        dtick="D2",
+        tickvals=errors,
+        ticktext=[f"{error:g}" for error in errors],
+        range=np.log10([errors[0] / MARGIN, errors[-1] * MARGIN]).tolist(),
         row=1,
         col=1,
         **grid,
     )
     figure.update_xaxes(type="category", row=1, col=2)
     figure.update_yaxes(title_text="% of vertices", row=1, col=2, **grid)
-    figure.update_layout(
-        height=CHARTS_HEIGHT,
-        margin={"l": 70, "r": 10, "t": 50, "b": 50},
-        font=FONT,
-        plot_bgcolor="white",
-        legend={"orientation": "h", "y": -0.18},
-        bargap=0.15,
-    )
-    return figure
+
+
+def error_ticks(errors: Iterable[float]) -> list[float]:
+    """Ticks that enclose all errors above 0: of 1, 2, 5 in each decade, of 1 only if they are many.
+
+    Plotly's own have a digit without its decade, 5 for 0.5, and may be none within half a decade.
+    """
+    positive = [error for error in errors if error > 0] or [1.0]
+    first, last = math.floor(math.log10(min(positive))), math.ceil(math.log10(max(positive)))
+    digits = (1, 2, 5) if last - first <= MOST_DECADES else (1,)
+    ticks = [float(f"{k}e{decade}") for decade in range(first - 1, last + 2) for k in digits]
+    below = max(tick for tick in ticks if tick <= min(positive))
+    above = min(tick for tick in ticks if tick >= max(positive))
+    if below == above:  # a single error on a tick
+        above = ticks[ticks.index(below) + 1]
+    return [tick for tick in ticks if below <= tick <= above]

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import zipfile
 from pathlib import Path
 
 from neuralmesh_tools.project import PLUGIN_NAME, SCRIPTS
@@ -21,6 +22,9 @@ USE_PLUGIN, USE_WHEEL, USE_PACKAGE = (
     HERE / f"use_{what}.py" for what in ("plugin", "wheel", "package")
 )
 
+# The licences of what is compiled in ask for them beside every binary.
+NOTICES = ("LICENSE", "THIRD_PARTY_NOTICES.txt")
+
 
 def main() -> int:
     """Check everything in a folder; raise with the reason if something is not as it should be."""
@@ -29,6 +33,8 @@ def main() -> int:
     parser.add_argument("--no-desktop", action="store_true", help="do not start MeshLab")
     options = parser.parse_args()
     folder: Path = options.folder
+    for made in [*folder.glob("*.tar.gz"), *folder.glob("*.whl")]:
+        check_notices(made)
     with tempfile.TemporaryDirectory() as temporary:
         work = Path(temporary)
         desktop = unpacked(next(folder.glob("*-meshlab-*.tar.gz")), work)
@@ -52,6 +58,18 @@ def unpacked(archive: Path, work: Path) -> Path:
     with tarfile.open(archive) as tar:
         tar.extractall(work, filter="data")
     return work / archive.name.removesuffix(".tar.gz") / PLUGIN_NAME
+
+
+def check_notices(made: Path) -> None:
+    """Raise if an archive or a wheel lacks the texts of licences."""
+    if made.suffix == ".whl":
+        with zipfile.ZipFile(made) as wheel:
+            held = wheel.namelist()
+    else:
+        with tarfile.open(made) as tar:
+            held = tar.getnames()
+    if missing := set(NOTICES) - {Path(name).name for name in held}:
+        raise RuntimeError(f"{made.name} lacks {', '.join(sorted(missing))}")
 
 
 def check_needs(plugin: Path) -> None:

@@ -82,10 +82,12 @@ def read_merged(
 
 
 def expand(path: Path) -> list[Path]:
-    """Return the files of a folder that can be read, by name; or the file itself."""
+    """Return the files of a folder that can be read, by name, hidden ones apart; or the file."""
     if not path.is_dir():
         return [path]
-    found = sorted(file for file in path.iterdir() if file.suffix.lower() in SUFFIXES)
+    # Programs hide what is no scan, such as ._x.ply beside x.ply on disks of macOS.
+    files = [file for file in path.iterdir() if not file.name.startswith(".")]
+    found = sorted(file for file in files if file.suffix.lower() in SUFFIXES)
     if not found:
         raise UnreadableFile(path, "the folder holds no file that can be read.")
     return found
