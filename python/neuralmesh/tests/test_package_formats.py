@@ -135,6 +135,24 @@ def test_a_file_that_is_cut_short_is_named_or_gives_what_is_there(
 
 
 @pytest.mark.parametrize(
+    ("name", "bytes_left", "sentence"),
+    [
+        # A point of format 7 takes 36 bytes.
+        ("a.las", -36 * 3, "it is cut short: its header promises 300 points, but it holds 297."),
+        ("a.las", -1, "it is cut short: its header promises 300 points, but it holds 299."),
+        ("a.laz", -40, "it is cut short or broken: its header promises 300 points, of which 0 "),
+    ],
+)
+def test_lidar_that_is_cut_short_is_refused_with_both_counts(
+    name: str, bytes_left: int, sentence: str, cloud: tuple[Points, Colours], tmp_path: Path
+) -> None:
+    las(tmp_path / name, *cloud)
+    (tmp_path / name).write_bytes((tmp_path / name).read_bytes()[:bytes_left])
+    with pytest.raises(ValueError, match=sentence):
+        neuralmesh.read(tmp_path / name)
+
+
+@pytest.mark.parametrize(
     ("name", "content", "sentence"),
     [
         ("a.docx", b"", r"'\.docx' is of no format that is read here: \.ply, "),
