@@ -56,6 +56,8 @@ def _records(path: Path, file: Any) -> Iterator[Any]:
         for records in file.chunk_iterator(POINTS):
             read += len(records)
             yield records
+    except (OSError, MemoryError):
+        raise
     except Exception as error:  # lazrs has its own
         reason = str(error)
     if read < total:

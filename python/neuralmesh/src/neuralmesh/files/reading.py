@@ -7,7 +7,6 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -77,7 +76,7 @@ def read_merged(
             if is_time_up():
                 return reservoir.cloud()
     if reservoir.total == 0:
-        raise UnreadableFile(listed[0] if listed else Path(), "it holds no points.")
+        raise _without_points(listed[0] if listed else Path(), reservoir.left_out)
     return reservoir.cloud()
 
 
@@ -112,10 +111,11 @@ class Description:
 
 def describe(path: Path, progress: Progress | None = None) -> Description:
     """Look at all points of a file, in bounded memory."""
-    count, broken, has_colours = 0, 0, False
+    count, broken, left_out, has_colours = 0, 0, 0, False
     lower, upper = np.full(3, np.inf), np.full(3, -np.inf)
     for chunk in _chunks(path):
         count += len(chunk.points)
+        left_out += chunk.left_out
         has_colours |= chunk.colours is not None
         finite = np.isfinite(chunk.points).all(axis=1)
         broken += int((~finite).sum())
@@ -125,7 +125,7 @@ def describe(path: Path, progress: Progress | None = None) -> Description:
         if progress is not None:
             progress(chunk.done, f"Reading {path.name}")
     if count == broken:
-        raise UnreadableFile(path, "it holds no points.")
+        raise _without_points(path, count + left_out)
     return Description(
         format_of(path).name,
         count,
@@ -137,6 +137,12 @@ def describe(path: Path, progress: Progress | None = None) -> Description:
     )
 
 
+def _without_points(path: Path, invalid: int) -> UnreadableFile:
+    if invalid == 0:
+        return UnreadableFile(path, "it holds no points.")
+    return UnreadableFile(path, f"none of its {invalid:,} points is finite and valid.")
+
+
 def _chunks(path: Path) -> Iterator[Chunk]:
     """The points of a file; whatever a reader stumbles over is told with the path."""
     if path.is_dir():
@@ -146,14 +152,32 @@ def _chunks(path: Path) -> Iterator[Chunk]:
     known = format_of(path)
     try:
         yield from known.chunks(path)
-    except (UnreadableFile, OSError, MemoryError):
+    except (UnreadableFile, MemoryError):
         raise
+    except OSError as error:
+        if error.filename is not None and Path(error.filename) == path:
+            raise
+        raise UnreadableFile(path, f"it cannot be read: {_of_system(error)}") from error
     except Exception as error:  # libraries raise errors of their own for broken files
         raise UnreadableFile(
             path, f"it cannot be read as {known.name}: {_sentence(error)}"
         ) from error
 
 
+def _of_system(error: OSError) -> str:
+    """Of another file, that this one needs, or of none that is known."""
+    if error.filename is None:
+        return _sentence(error)
+    return f"the file '{error.filename}', which it needs: {error.strerror}."
+
+
 def _sentence(error: Exception) -> str:
-    text: Any = " ".join(str(error).split()) or type(error).__name__
+    """The reason in one line, without what is for those who debug the library."""
+    if isinstance(error, ImportError):
+        # Libraries import more for contents that they do not expect.
+        return f"its content is another, or the package {error.name} is missing."
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    text = lines[0] if lines else type(error).__name__
+    if isinstance(error, KeyError):
+        text = f"it has no {text}"
     return text if text.endswith(".") else text + "."
