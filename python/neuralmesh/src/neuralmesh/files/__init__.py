@@ -2,7 +2,8 @@
 """Files of points and meshes: one registry of formats, read in chunks, and the writers."""
 
 from .cloud import Cloud, most_points_for
-from .reading import describe, expand, is_read_in_place, read, read_merged
+from .in_place import is_read_in_place
+from .reading import describe, expand, read, read_merged
 from .registry import FORMATS, UnreadableFile
 from .writing import WRITTEN, write
 

@@ -11,25 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from .cloud import Chunk, Cloud, Reservoir
+from .in_place import is_read_in_place
 from .registry import SUFFIXES, UnreadableFile, format_of
 
 Progress = Callable[[float, str], object]
-
-# What the core maps into memory and reads where it lies.
-IN_PLACE = (".ply", ".las", ".npy")
-
-
-def is_read_in_place(path: Path) -> bool:
-    """Return whether the core can sample the file itself: binary PLY, LAS and NPY."""
-    if path.suffix.lower() not in IN_PLACE:
-        return False
-    if path.suffix.lower() != ".ply":
-        return True
-    try:
-        with path.open("rb") as file:
-            return b"format ascii" not in file.read(256)
-    except OSError:
-        return True  # the core says what is wrong
 
 
 def read(
@@ -166,6 +151,8 @@ def _chunks(path: Path) -> Iterator[Chunk]:
 
 def _of_system(error: OSError) -> str:
     """Of another file, that this one needs, or of none that is known."""
+    if isinstance(error, FileNotFoundError):
+        return f"a file that it needs is missing: '{error.filename or error}'."
     if error.filename is None:
         return _sentence(error)
     return f"the file '{error.filename}', which it needs: {error.strerror}."
