@@ -109,6 +109,34 @@ def test_tiles_of_a_folder_make_one_cloud(ball: Points, tmp_path: Path) -> None:
     assert np.array_equal(neuralmesh.read(out).points, expected.vertices)
 
 
+def test_what_a_folder_holds_besides_tiles_is_named_and_counted(
+    ball: Points, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    tiles = tmp_path / "tiles"
+    (tiles / "older").mkdir(parents=True)
+    np.save(tiles / "tile.npy", ball)
+    np.savetxt(tiles / "tile.txt", ball[:100])
+    (tiles / "notes.txt").write_text("Scanned on a Friday, by rain.", "utf-8")
+    (tiles / "readme.md").write_text("not a tile", "utf-8")
+    assert main([str(tiles), "--merge", "-n", "100", "-o", str(tmp_path / "ball.ply")]) == 0
+    told = capsys.readouterr().err
+    assert "2 files: 5,100 points" in told
+    assert (
+        "tiles': left out: 1 × .md (readme.md); 1 × subfolder (older); "
+        "1 × text without points (notes.txt)." in told
+    )
+
+
+def test_info_of_a_folder_describes_all_that_it_can(
+    ball_file: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    ball_file.with_name("a_broken.laz").write_bytes(b"hello")
+    assert main(["info", str(ball_file.parent)]) == 1
+    printed, told = capsys.readouterr()
+    assert "ball.xyz: points as text, 5,000 points" in printed
+    assert "a_broken.laz': it cannot be read as LAS, LAZ or COPC" in told
+
+
 def test_a_cloud_that_is_too_large_is_chosen_from_and_said_so(
     ball_file: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

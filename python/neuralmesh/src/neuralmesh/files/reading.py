@@ -12,7 +12,7 @@ import numpy as np
 
 from .cloud import Chunk, Cloud, Reservoir
 from .in_place import is_read_in_place
-from .registry import SUFFIXES, UnreadableFile, format_of
+from .registry import UnreadableFile, format_of
 
 Progress = Callable[[float, str], object]
 
@@ -63,16 +63,6 @@ def read_merged(
     if reservoir.total == 0:
         raise _without_points(listed[0] if listed else Path(), reservoir.left_out)
     return reservoir.cloud()
-
-
-def expand(path: Path) -> list[Path]:
-    """Return the files of a folder that can be read, by name; or the file itself."""
-    if not path.is_dir():
-        return [path]
-    found = sorted(file for file in path.iterdir() if file.suffix.lower() in SUFFIXES)
-    if not found:
-        raise UnreadableFile(path, "the folder holds no file that can be read.")
-    return found
 
 
 @dataclass

@@ -35,6 +35,15 @@ def chunks(path: Path) -> Iterator[Chunk]:
             raise UnreadableFile(path, "it is not text.") from None
 
 
+def begins_with_points(path: Path) -> bool:
+    """Return whether a file has points, or a header of points, before any other text."""
+    with path.open(encoding="utf-8-sig", errors="replace") as file:
+        try:
+            return _first_points(path, file, Header())[0] is not None
+        except UnreadableFile:
+            return False
+
+
 def _parse(path: Path, file: TextIO, size: int) -> Iterator[Chunk]:
     header = Header()
     first, promised = _first_points(path, file, header)
