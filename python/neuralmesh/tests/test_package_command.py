@@ -152,8 +152,6 @@ def test_a_cloud_that_is_too_large_is_chosen_from_and_said_so(
         (["nowhere.ply", "-o", "out.ply"], "'nowhere.ply': there is no such file."),
         (["ball.xyz", "-o", "out.doc"], "'out.doc': its ending must be one of .ply, .obj"),
         (["ball.xyz", "-o", "no/out.ply"], "'no/out.ply': there is no folder 'no'."),
-        (["ball.xyz", "-n", "3", "-o", "out.ply"], "--vertices must be at least 4, not 3."),
-        (["ball.xyz", "-n", "many", "-o", "out.ply"], "--vertices must be a whole number"),
         (
             ["ball.xyz", "-n", "6000", "-o", "out.ply"],
             "--vertices is 6000, but there are only 5000 distinct points",
@@ -190,6 +188,8 @@ def test_what_cannot_be_used_is_a_sentence_and_exit_code_1(
         (["ball.xyz", "ball.xyz", "-o", "out.ply"], "several inputs make one cloud with --merge"),
         ([".", "-o", "out.ply"], "is a folder: its files make one cloud with --merge"),
         (["ball.xyz", "-o", "out.ply", "--boundaries", "half"], "invalid choice: 'half'"),
+        (["ball.xyz", "-n", "3", "-o", "out.ply"], "-n/--vertices: must be at least 4, not 3"),
+        (["ball.xyz", "-n", "many", "-o", "out.ply"], "must be a whole number, not 'many'"),
     ],
 )
 def test_a_wrong_command_line_ends_with_2(
