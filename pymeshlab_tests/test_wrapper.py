@@ -66,6 +66,7 @@ CASES = {
     "run(targetvertnum=50, maxholesize=1)": [50, 2],
     "run(targetvertnum=50, maxholesize=pymeshlab.PercentageValue(5))": [50, 2],
     "run(targetvertnum=50, surfacefit=np.bool_(False), topology=0, winnerrate=0.1)": [50, 2],
+    "bool(nm.__version__)": True,
     "run(targetvertnum=50.5)": "targetvertnum is a whole number, not 50.5.",
     "run(targetvertnum=float('nan'))": "targetvertnum is a whole number, not nan.",
     "run(targetvertnum='many')": "targetvertnum is a whole number, not 'many'.",

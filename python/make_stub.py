@@ -22,6 +22,7 @@ from os import PathLike
 import pymeshlab
 
 FILTERS: tuple[str, ...]
+__version__: str
 
 class MeshSet(pymeshlab.MeshSet):
 '''

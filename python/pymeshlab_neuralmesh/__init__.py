@@ -12,12 +12,14 @@ Counts may be whole floats, `snapshots` a list, `pointfile` a `Path`, which impl
 that says which one was likely meant.
 
 `MeshSet` is PyMeshLab's own class; here type checkers know the methods that are added to it.
-`FILTERS` are the names of these. Importing raises ImportError if the PyMeshLab that is installed
-is not the version that the plugin was built for.
+`FILTERS` are the names of these, `__version__` is that of this package. Importing raises
+ImportError if the PyMeshLab that is installed is not the version that the plugin was built for.
 """
 
 from __future__ import annotations
 
-from ._binding import FILTERS, MeshSet
+from ._binding import FILTERS, MeshSet, installed_version
 
-__all__ = ["FILTERS", "MeshSet"]
+__all__ = ["FILTERS", "MeshSet", "__version__"]
+
+__version__ = installed_version()

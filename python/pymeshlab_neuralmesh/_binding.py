@@ -31,6 +31,14 @@ def require_version() -> None:
         )
 
 
+def installed_version() -> str:
+    """Return the version of the package; "unknown" where its sources are imported as they are."""
+    try:
+        return importlib.metadata.version(PACKAGE)
+    except importlib.metadata.PackageNotFoundError:
+        return "unknown"
+
+
 require_version()
 
 # PyMeshLab comes second: a wrong version is to be named, not to fail in some way of its own.

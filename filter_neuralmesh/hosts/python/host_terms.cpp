@@ -53,7 +53,7 @@ HostTerms hostTerms(const TypedNames &names)
             value("boundaries", "1"),
             "",
             "",
-            ": save it as binary PLY.",
+            ".",
             ": save it as binary PLY."};
 }
 

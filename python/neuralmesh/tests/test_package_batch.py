@@ -117,8 +117,8 @@ def test_a_mesh_that_is_not_to_be_trusted_has_a_warning(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
-        (["-n", "3"], "--vertices must be at least 4, not 3."),
-        (["-n", "many"], "--vertices must be a whole number"),
+        (["-n", "3"], "-n/--vertices: must be at least 4, not 3"),
+        (["-n", "many"], "-n/--vertices: must be a whole number"),
         (["--format", "docx"], "--format must be one of .ply, .obj, .off, .npz, .stl, .glb"),
         (["--winner-rate", "2"], "--winner-rate must lie between 0 and 1"),
         (["--most-points", "-1"], "--most-points must be at least 0"),

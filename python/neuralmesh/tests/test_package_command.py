@@ -110,6 +110,34 @@ def test_tiles_of_a_folder_make_one_cloud(ball: Points, tmp_path: Path) -> None:
     assert np.array_equal(neuralmesh.read(out).points, expected.vertices)
 
 
+def test_what_a_folder_holds_besides_tiles_is_named_and_counted(
+    ball: Points, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    tiles = tmp_path / "tiles"
+    (tiles / "older").mkdir(parents=True)
+    np.save(tiles / "tile.npy", ball)
+    np.savetxt(tiles / "tile.txt", ball[:100])
+    (tiles / "notes.txt").write_text("Scanned on a Friday, by rain.", "utf-8")
+    (tiles / "readme.md").write_text("not a tile", "utf-8")
+    assert main([str(tiles), "--merge", "-n", "100", "-o", str(tmp_path / "ball.ply")]) == 0
+    told = capsys.readouterr().err
+    assert "2 files: 5,100 points" in told
+    assert (
+        "tiles': left out: 1 × .md (readme.md); 1 × subfolder (older); "
+        "1 × text without points (notes.txt)." in told
+    )
+
+
+def test_info_of_a_folder_describes_all_that_it_can(
+    ball_file: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    ball_file.with_name("a_broken.laz").write_bytes(b"hello")
+    assert main(["info", str(ball_file.parent)]) == 1
+    printed, told = capsys.readouterr()
+    assert "ball.xyz: points as text, 5,000 points" in printed
+    assert "a_broken.laz': it cannot be read as LAS, LAZ or COPC" in told
+
+
 def test_a_cloud_that_is_too_large_is_chosen_from_and_said_so(
     ball_file: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -125,8 +153,6 @@ def test_a_cloud_that_is_too_large_is_chosen_from_and_said_so(
         (["nowhere.ply", "-o", "out.ply"], "'nowhere.ply': there is no such file."),
         (["ball.xyz", "-o", "out.doc"], "'out.doc': its ending must be one of .ply, .obj"),
         (["ball.xyz", "-o", "no/out.ply"], "'no/out.ply': there is no folder 'no'."),
-        (["ball.xyz", "-n", "3", "-o", "out.ply"], "--vertices must be at least 4, not 3."),
-        (["ball.xyz", "-n", "many", "-o", "out.ply"], "--vertices must be a whole number"),
         (
             ["ball.xyz", "-n", "6000", "-o", "out.ply"],
             "--vertices is 6000, but there are only 5000 distinct points",
@@ -163,6 +189,8 @@ def test_what_cannot_be_used_is_a_sentence_and_exit_code_1(
         (["ball.xyz", "ball.xyz", "-o", "out.ply"], "several inputs make one cloud with --merge"),
         ([".", "-o", "out.ply"], "is a folder: its files make one cloud with --merge"),
         (["ball.xyz", "-o", "out.ply", "--boundaries", "half"], "invalid choice: 'half'"),
+        (["ball.xyz", "-n", "3", "-o", "out.ply"], "-n/--vertices: must be at least 4, not 3"),
+        (["ball.xyz", "-n", "many", "-o", "out.ply"], "must be a whole number, not 'many'"),
     ],
 )
 def test_a_wrong_command_line_ends_with_2(

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -74,3 +76,20 @@ def test_a_package_that_is_missing_is_named(
     assert main(["compare", "a.ply", "--out", "out"]) == 2
     told = capsys.readouterr().err
     assert "it needs no_such_package: pip install 'neuralmesh[compare]'." in told
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "told"),
+    [(["--help"], 0, "usage: neuralmesh compare"), (["a.ply"], 2, "required: --out")],
+)
+def test_help_and_usage_need_no_more_packages(arguments: list[str], code: int, told: str) -> None:
+    missing = (*comparisons.NEEDED, "psutil")
+    program = (
+        f"import sys; sys.modules.update(dict.fromkeys({missing}))\n"
+        f"from neuralmesh.command import main; sys.exit(main(['compare', *{arguments}]))"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=100, check=False
+    )
+    assert run.returncode == code, run.stderr
+    assert told in run.stdout + run.stderr

@@ -13,7 +13,7 @@ import pytest
 import trimesh
 from neuralmesh import files
 from neuralmesh.files.cloud import Chunk, Reservoir
-from point_files import WRITERS, Colours, Points, copc, las, pcd_binary, ply_text, table, xyz
+from point_files import WRITERS, Colours, Points, copc, gltf, las, pcd_binary, ply_text, table, xyz
 
 
 @pytest.fixture(scope="module")
@@ -105,6 +105,24 @@ def test_points_without_a_return_are_left_out_of_a_pcd(
     assert len(neuralmesh.read(tmp_path / "scan.pcd").points) == 200
 
 
+@pytest.mark.parametrize("look", [neuralmesh.read, files.describe])
+def test_a_file_without_a_finite_point_says_so(
+    look: Callable[[Path], object], tmp_path: Path
+) -> None:
+    pcd_binary(tmp_path / "a.pcd", np.full((3000, 3), np.nan), np.zeros((3000, 3), np.uint8))
+    with pytest.raises(ValueError, match="none of its 3,000 points is finite"):
+        look(tmp_path / "a.pcd")
+
+
+def test_fields_of_a_pcd_may_be_called_columns(
+    cloud: tuple[Points, Colours], tmp_path: Path
+) -> None:
+    pcd_binary(tmp_path / "a.pcd", *cloud)
+    content = (tmp_path / "a.pcd").read_bytes()
+    (tmp_path / "a.pcd").write_bytes(content.replace(b"FIELDS", b"COLUMNS"))
+    assert np.array_equal(neuralmesh.read(tmp_path / "a.pcd").points, cloud[0])
+
+
 def cut(path: Path) -> None:
     path.write_bytes(path.read_bytes()[:-40])
 
@@ -135,6 +153,24 @@ def test_a_file_that_is_cut_short_is_named_or_gives_what_is_there(
 
 
 @pytest.mark.parametrize(
+    ("name", "bytes_left", "sentence"),
+    [
+        # A point of format 7 takes 36 bytes.
+        ("a.las", -36 * 3, "it is cut short: its header promises 300 points, but it holds 297."),
+        ("a.las", -1, "it is cut short: its header promises 300 points, but it holds 299."),
+        ("a.laz", -40, "it is cut short or broken: its header promises 300 points, of which 0 "),
+    ],
+)
+def test_lidar_that_is_cut_short_is_refused_with_both_counts(
+    name: str, bytes_left: int, sentence: str, cloud: tuple[Points, Colours], tmp_path: Path
+) -> None:
+    las(tmp_path / name, *cloud)
+    (tmp_path / name).write_bytes((tmp_path / name).read_bytes()[:bytes_left])
+    with pytest.raises(ValueError, match=sentence):
+        neuralmesh.read(tmp_path / name)
+
+
+@pytest.mark.parametrize(
     ("name", "content", "sentence"),
     [
         ("a.docx", b"", r"'\.docx' is of no format that is read here: \.ply, "),
@@ -144,10 +180,17 @@ def test_a_file_that_is_cut_short_is_named_or_gives_what_is_there(
         ("a.xyz", b"1 2\n", "fewer than three numbers"),
         ("a.pts", b"[Expe\x80\xff\x00", "it is not text|none of points"),
         ("a.pcd", b"hello\n" * 70, "it has no header of a PCD file|cannot be read as PCD"),
+        ("a.pcd", b"VERSION 0.7\nSIZE 4 4 4\nDATA ascii\n", r"its header has no line FIELDS\.$"),
+        ("a.pcd", b"FIELDS x\nSIZE 4\nDATA ascii\n", r"its header has no line TYPE\.$"),
+        ("a.pcd", b"FIELDS x y\nSIZE 4\nTYPE F F\nDATA ascii\n", "more fields in one line than"),
+        ("a.pcd", b"FIELDS x\nSIZE 3\nTYPE F\nDATA ascii\n", "x is of the unknown type F 3"),
+        ("a.pcd", b"FIELDS x\nSIZE 4\nTYPE F\nPOINTS a\nDATA ascii\n", "POINTS of other than wh"),
+        ("a.stl", bytes(80) + b"\3\0\0\0" + bytes(120), "of 3 triangles of its header, it holds 2"),
+        ("a.stl", b"hello", "it is cut short, or no STL file"),
         ("a.ply", b"ply\nformat ascii 1.0\nend_header\n", "it has no vertices"),
         ("a.las", b"LASF" + bytes(400), "cannot be read as LAS, LAZ or COPC"),
         ("a.laz", b"hello", "cannot be read as LAS, LAZ or COPC"),
-        ("a.e57", b"hello", "cannot be read as E57"),
+        ("a.e57", b"hello", r"cannot be read as E57: [^*]*\(ErrorInternal\)\.$"),
         ("a.npy", b"hello", "cannot be read as NumPy's NPY or NPZ"),
         ("a.glb", b"hello", "cannot be read as a mesh"),
         ("a.obj", b"hello\n", "it holds no points"),
@@ -160,6 +203,18 @@ def test_a_broken_file_is_named_with_the_reason(
     with pytest.raises(ValueError, match=sentence) as caught:
         neuralmesh.read(tmp_path / name)
     assert str(caught.value).startswith(f"'{tmp_path / name}': ")
+
+
+def test_a_file_that_another_one_needs_is_named_with_it(
+    cloud: tuple[Points, Colours], tmp_path: Path
+) -> None:
+    gltf(tmp_path / "a.gltf", *cloud)
+    for beside in tmp_path.glob("*.bin"):
+        beside.unlink()
+    with pytest.raises(
+        ValueError, match=r"a\.gltf': it cannot be read: a file that it needs is missing: '.*\.bin'"
+    ):
+        neuralmesh.read(tmp_path / "a.gltf")
 
 
 def test_an_array_of_another_shape_is_named(tmp_path: Path) -> None:

@@ -93,6 +93,15 @@ def test_a_sampler_of_ones_own() -> None:
     assert first.info["rms_error"] < 0.01
 
 
+def test_a_type_checker_takes_a_sampler_whose_corners_are_tuples() -> None:
+    # A member that may be assigned to would have to be a Sequence in the class, too.
+    assert isinstance(Shell(), neuralmesh.Sampler)
+    for corner in ("lower", "upper"):
+        member = vars(neuralmesh.Sampler)[corner]
+        assert isinstance(member, property)
+        assert member.fset is None
+
+
 class Failing(Shell):
     def draw(self, random: np.random.Generator, count: int) -> Points:
         raise LookupError("mine")

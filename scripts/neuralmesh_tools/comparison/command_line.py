@@ -13,15 +13,8 @@ from typing import Any
 from rich.console import Console
 
 from neuralmesh_tools.batching.names import Source, distinct_names
-from neuralmesh_tools.command_line import (
-    add_plugin,
-    console,
-    folder,
-    listed,
-    names,
-    parser_of,
-    positive,
-)
+from neuralmesh_tools.command_line import add_plugin, console, names
+from neuralmesh_tools.comparison.arguments import COMMAND, parser_for_clouds
 from neuralmesh_tools.comparison.clouds import REFERENCE_SAMPLES, load_surface
 from neuralmesh_tools.comparison.kept import STATE, fingerprint, hash_of_ours, keep, kept
 from neuralmesh_tools.comparison.measures import MESH_SAMPLES
@@ -41,7 +34,6 @@ from neuralmesh_tools.machine import machine, version_of
 from neuralmesh_tools.methods import METHODS
 from neuralmesh_tools.project import PluginMissing, require_plugin
 
-COMMAND = "neuralmesh compare"
 USAGE = 2
 INTERRUPTED = 130  # what a shell reports of a program that Ctrl-C ended
 
@@ -51,23 +43,7 @@ def parse_arguments(description: str | None, given: Sequence[str] | None) -> arg
 
     given: the arguments of `neuralmesh compare`, which has no plugin; None: those of the script.
     """
-    parser = parser_of(description)
-    if given is not None:
-        parser.prog = COMMAND
-    parser.add_argument("clouds", nargs="+", type=Path, metavar="CLOUD", help="point cloud or mesh")
-    parser.add_argument("--out", type=folder, required=True, metavar="DIR", help="output folder")
-    text = "measure against this surface instead of the cloud itself"
-    parser.add_argument("--reference", type=Path, metavar="MESH", help=text)
-    text = "of each result (default: 5000, but at most a quarter of the points)"
-    parser.add_argument("--vertices", type=int, default=0, metavar="N", help=text)
-    text = f"comma separated, of {listed(METHODS)} (default: all)"
-    parser.add_argument("--methods", default=",".join(METHODS), metavar="NAMES", help=text)
-    text = "distance that the F-score allows, in %% of the cloud's diagonal (default 0.1)"
-    parser.add_argument("--threshold", type=positive, default=0.1, metavar="PERCENT", help=text)
-    text = "a method is given up that computes longer, on each of its threads (default 60)"
-    parser.add_argument("--timeout", type=positive, default=60, metavar="SECONDS", help=text)
-    text = "a method may use (default 1: Poisson's threads stall where others use the cores)"
-    parser.add_argument("--threads", type=int, default=1, metavar="N", help=text)
+    parser = parser_for_clouds(description, COMMAND if given is not None else None, METHODS)
     if given is None:
         add_plugin(parser)
     options = parser.parse_intermixed_args(given)

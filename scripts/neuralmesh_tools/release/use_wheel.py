@@ -3,6 +3,7 @@
 
 import inspect
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import pymeshlab
@@ -15,5 +16,7 @@ method = nm.MeshSet.generate_surface_reconstruction_neural_mesh
 assert "targetvertnum" in inspect.signature(method).parameters
 assert "Exact number of vertices" in " ".join(method.__doc__.split())
 stub = Path(nm.__file__).with_suffix(".pyi").read_text()
+assert nm.__version__ == version("pymeshlab-neuralmesh")
+assert "__version__: str" in stub
 assert all(f"def {name}(" in stub for name in nm.FILTERS)
 sys.exit(result["vertices"] != 500)

@@ -61,8 +61,15 @@ class Sampler(Protocol):
     the same mesh. It is called with thousands of samples at a time, on another thread.
     """
 
-    lower: Sequence[float]
-    upper: Sequence[float]
+    @property
+    def lower(self) -> Sequence[float]:
+        """The least x, y and z."""
+        ...
+
+    @property
+    def upper(self) -> Sequence[float]:
+        """The greatest x, y and z."""
+        ...
 
     def draw(self, random: np.random.Generator, count: int) -> NDArray[np.float64]:
         """Return samples."""

@@ -9,7 +9,7 @@ import sys
 from collections.abc import Sequence
 
 from . import reconstruction
-from .exits import DONE, INTERRUPTED, REFUSED, say
+from .exits import DONE, INTERRUPTED, REFUSED, say, sentence
 
 # The modules that run them, which are imported only then.
 SUBCOMMANDS = {"info": "information", "batch": "batches", "compare": "comparisons"}
@@ -31,13 +31,5 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return DONE
     except (ValueError, TypeError, OSError, MemoryError) as error:
-        say(_sentence(error))
+        say(sentence(error))
         return REFUSED
-
-
-def _sentence(error: Exception) -> str:
-    if isinstance(error, OSError) and error.filename is not None:
-        return f"'{error.filename}': {error.strerror}."
-    if isinstance(error, MemoryError):
-        return str(error) or "Too little memory."
-    return str(error)

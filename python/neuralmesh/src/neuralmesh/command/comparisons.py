@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from importlib.util import find_spec
 
+from neuralmesh_tools.comparison.arguments import COMMAND, parser_for_clouds
+
 from .exits import say
 
 NEEDED = ("pymeshlab", "scipy", "jinja2", "plotly")
@@ -30,6 +32,8 @@ def run(arguments: Sequence[str]) -> int:
     """Compare; return the exit code: 2, with a sentence, where a package is missing."""
     missing = [name for name in NEEDED if find_spec(name) is None]
     if missing:
+        # Help and wrong usage are told without them.
+        parser_for_clouds(DESCRIPTION, COMMAND, ()).parse_intermixed_args(arguments)
         say(
             "compare runs the other filters in PyMeshLab and draws a report: it needs "
             f"{', '.join(missing)}: pip install 'neuralmesh[compare]'."

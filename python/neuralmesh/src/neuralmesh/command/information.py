@@ -11,7 +11,7 @@ from pathlib import Path
 from .. import files
 from .._progress import bar
 from ..files.reading import Description
-from .exits import DONE, REFUSED, say
+from .exits import DONE, REFUSED, say, say_what_is_left_out, sentence
 
 
 def run(arguments: Sequence[str]) -> int:
@@ -26,13 +26,26 @@ def run(arguments: Sequence[str]) -> int:
     )
     parser.add_argument("--json", action="store_true", help="print a JSON object for each file")
     options = parser.parse_args(arguments)
+    codes = [_look_at(path, options.json) for path in options.inputs]
+    return max(codes)
+
+
+def _look_at(path: Path, as_json: bool) -> int:
+    """Describe a file, or each of a folder; return the exit code."""
     code = DONE
-    for path in options.inputs:
+    try:
+        folder = files.look_into(path)
+    except (files.UnreadableFile, OSError) as error:
+        say(sentence(error))
+        return REFUSED
+    say_what_is_left_out(folder)
+    for file in folder.files:
         try:
-            for file in files.expand(path):
-                _describe(file, options.json)
+            _describe(file, as_json)
+        except BrokenPipeError:
+            raise
         except (files.UnreadableFile, OSError) as error:
-            say(str(error))
+            say(sentence(error))
             code = REFUSED
     return code
 

@@ -13,6 +13,7 @@ from .._parameters import CHOICES
 from .._reconstruct import DEFAULT_VERTICES
 from ..files import most_points_for
 
+LEAST_VERTICES = 4  # of a closed mesh
 USAGE = """\
 neuralmesh INPUT... -o OUTPUT [OPTION...]
        neuralmesh batch INPUT... --out DIR
@@ -99,7 +100,13 @@ def add_parameters(parser: argparse._ActionsContainer, without: Collection[str] 
         if key not in without:
             parser.add_argument(*short, FLAGS[key], **kind)
 
-    add("vertices", "-n", metavar="N", help="of the mesh, at least 4 (5000, or half the points)")
+    add(
+        "vertices",
+        "-n",
+        type=_vertices,
+        metavar="N",
+        help="of the mesh, at least 4 (5000, or half the points)",
+    )
     add(
         "boundaries",
         choices=["closed", "open"],
@@ -148,11 +155,18 @@ def most_points(options: argparse.Namespace) -> int | None:
         if options.most_points < 0:
             raise ValueError(f"--most-points must be at least 0, not {options.most_points}.")
         return options.most_points or None
+    return most_points_for(options.vertices or DEFAULT_VERTICES)
+
+
+def _vertices(text: str) -> int:
+    """The type of --vertices."""
     try:
-        vertices = int(options.vertices or DEFAULT_VERTICES)
+        number = int(text)
     except ValueError:
-        raise ValueError(f"--vertices must be a whole number, not '{options.vertices}'.") from None
-    return most_points_for(vertices)
+        raise argparse.ArgumentTypeError(f"must be a whole number, not '{text}'") from None
+    if number < LEAST_VERTICES:
+        raise argparse.ArgumentTypeError(f"must be at least {LEAST_VERTICES}, not {number}")
+    return number
 
 
 def _number(flag: str, text: str) -> float:

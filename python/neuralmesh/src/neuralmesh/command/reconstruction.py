@@ -15,7 +15,7 @@ from .._parameters import read_options
 from .._progress import bar, part
 from .._reconstruct import run as reconstruct
 from .._result import Mesh, Result, plain
-from .exits import DONE, say
+from .exits import DONE, say, say_what_is_left_out
 from .options import most_points, parameters_of, parser
 
 # Of the time of a run: the input is read.
@@ -43,7 +43,11 @@ def run(arguments: Sequence[str]) -> int:
 
 def _inputs(given: argparse.ArgumentParser, options: argparse.Namespace) -> list[Path]:
     if options.merge:
-        return [file for path in options.inputs for file in files.expand(path)]
+        folders = [files.look_into(path) for path in options.inputs]
+        if not options.quiet:
+            for folder in folders:
+                say_what_is_left_out(folder)
+        return [file for folder in folders for file in folder.files]
     if len(options.inputs) > 1:
         given.error("several inputs make one cloud with --merge; else give one")
     if options.inputs[0].is_dir():

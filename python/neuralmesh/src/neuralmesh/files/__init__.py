@@ -2,7 +2,9 @@
 """Files of points and meshes: one registry of formats, read in chunks, and the writers."""
 
 from .cloud import Cloud, most_points_for
-from .reading import describe, expand, is_read_in_place, read, read_merged
+from .folders import Folder, expand, look_into
+from .in_place import is_read_in_place
+from .reading import describe, read, read_merged
 from .registry import FORMATS, UnreadableFile
 from .writing import WRITTEN, write
 
@@ -10,10 +12,12 @@ __all__ = [
     "FORMATS",
     "WRITTEN",
     "Cloud",
+    "Folder",
     "UnreadableFile",
     "describe",
     "expand",
     "is_read_in_place",
+    "look_into",
     "most_points_for",
     "read",
     "read_merged",

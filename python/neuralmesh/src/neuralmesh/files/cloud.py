@@ -27,6 +27,8 @@ class Chunk:
     """(n, 3)"""
     done: float = 1.0
     """Share of the file that is read."""
+    left_out: int = 0
+    """How many more there were that are not finite, or marked as invalid."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +71,7 @@ class Reservoir:
         self._has_colours = False
         self._count = 0
         self.total = 0
+        self.left_out = 0
 
     def add(self, chunk: Chunk) -> None:
         """Add points."""
@@ -78,6 +81,7 @@ class Reservoir:
         if colours is None:
             colours = np.full((len(chunk.points), 3), 255, np.uint8)
         self.total += len(chunk.points)
+        self.left_out += chunk.left_out
         points = chunk.points
         if numbers is None:
             numbers = np.zeros(len(points))

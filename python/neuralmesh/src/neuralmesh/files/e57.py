@@ -29,6 +29,7 @@ def chunks(path: Path) -> Iterator[Chunk]:
                 most = wide.max(initial=0)
                 scaled = wide * 255 if 0 < most <= 1 else wide // (256 if most > 255 else 1)
                 colours = np.clip(scaled, 0, 255).astype(np.uint8)
-            yield Chunk(points, colours, (number + 1) / file.scan_count)
+            invalid = file.get_header(number).point_count - len(points)
+            yield Chunk(points, colours, (number + 1) / file.scan_count, invalid)
     finally:
         file.close()

@@ -5,22 +5,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import laspy
 import numpy as np
 
 from .cloud import Chunk
+from .registry import UnreadableFile
 
 POINTS = 200_000  # a tenth of a second of LAZ, after which Ctrl-C is heard
 
 
 def chunks(path: Path) -> Iterator[Chunk]:
-    """Yield the points of a file, withheld ones too."""
-    with laspy.open(path) as file:
-        total = max(file.header.point_count, 1)
+    """Yield the points of a file, withheld ones too; raises UnreadableFile if it is cut short."""
+    with laspy.open(path, read_evlrs=False) as file:
+        total = file.header.point_count
+        _require_room(path, file.header)
         has_colours = "red" in file.header.point_format.dimension_names
         divisor, read = None, 0
-        for records in file.chunk_iterator(POINTS):
+        for records in _records(path, file):
             points = np.column_stack([records.x, records.y, records.z])
             colours = None
             if has_colours:
@@ -30,3 +33,36 @@ def chunks(path: Path) -> Iterator[Chunk]:
                 colours = np.minimum(wide // divisor, 255).astype(np.uint8)
             read += len(points)
             yield Chunk(points, colours, read / total)
+
+
+def _require_room(path: Path, header: Any) -> None:
+    """Refuse a file that is shorter than its points: laspy would leave out the last ones."""
+    if header.are_points_compressed:
+        return
+    size = path.stat().st_size - header.offset_to_point_data
+    room = max(size, 0) // header.point_format.size
+    if room < header.point_count:
+        raise UnreadableFile(
+            path,
+            f"it is cut short: its header promises {header.point_count:,} points, but it holds "
+            f"{room:,}.",
+        )
+
+
+def _records(path: Path, file: Any) -> Iterator[Any]:
+    """The records by pieces; of compressed ones, it shows only then that some are missing."""
+    read, total, reason = 0, file.header.point_count, "it ends early"
+    try:
+        for records in file.chunk_iterator(POINTS):
+            read += len(records)
+            yield records
+    except (OSError, MemoryError):
+        raise
+    except Exception as error:  # lazrs has its own
+        reason = str(error)
+    if read < total:
+        raise UnreadableFile(
+            path,
+            f"it is cut short or broken: its header promises {total:,} points, of which {read:,} "
+            f"could be read ({reason}).",
+        )

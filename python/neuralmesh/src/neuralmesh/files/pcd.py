@@ -18,7 +18,8 @@ from .registry import UnreadableFile
 POINTS = 1_000_000
 LINES = 200_000
 LONGEST_HEADER = 64  # lines
-TYPES = {"F": "f", "I": "i", "U": "u"}
+TYPES = {(kind, size) for kind in "IU" for size in (1, 2, 4, 8)} | {("F", 4), ("F", 8)}
+Entries = dict[str, list[str]]
 
 
 @dataclass
@@ -31,7 +32,10 @@ class Header:
 
 
 def chunks(path: Path) -> Iterator[Chunk]:
-    """Yield the points; those that are not finite, which stand for no return, are left out."""
+    """Yield the points; those that are not finite, which stand for no return, are left out.
+
+    The older name of FIELDS is COLUMNS.
+    """
     with path.open("rb") as file:
         header = _header(path, file)
         if not {"x", "y", "z"} <= set(_names(header.record)):
@@ -46,7 +50,7 @@ def chunks(path: Path) -> Iterator[Chunk]:
 
 
 def _header(path: Path, file: BinaryIO) -> Header:
-    entries: dict[str, list[str]] = {}
+    entries: Entries = {}
     for _ in range(LONGEST_HEADER):
         line = file.readline(4096).decode("latin-1").strip()
         if not line or line.startswith("#"):
@@ -57,18 +61,43 @@ def _header(path: Path, file: BinaryIO) -> Header:
             break
     else:
         raise UnreadableFile(path, "it has no header of a PCD file.")
-    names, sizes, types = entries["FIELDS"], entries["SIZE"], entries["TYPE"]
-    counts = entries.get("COUNT", ["1"] * len(names))
-    fields = []
+    record = _record(path, entries)
+    if "POINTS" in entries:
+        count = _whole(path, entries, "POINTS")[0]
+    else:
+        height = _whole(path, entries, "HEIGHT")[0] if "HEIGHT" in entries else 1
+        count = _whole(path, entries, "WIDTH")[0] * height
+    return Header(record, count, _entry(path, entries, "DATA")[0])
+
+
+def _record(path: Path, entries: Entries) -> np.dtype[Any]:
+    names = _entry(path, entries, "COLUMNS" if "COLUMNS" in entries else "FIELDS")
+    sizes, types = _whole(path, entries, "SIZE"), _entry(path, entries, "TYPE")
+    counts = _whole(path, entries, "COUNT") if "COUNT" in entries else [1] * len(names)
+    if not len(names) == len(sizes) == len(types) == len(counts):
+        raise UnreadableFile(path, "its header has more fields in one line than in another.")
+    fields: list[Any] = []
     for number, (name, size, kind, many) in enumerate(
         zip(names, sizes, types, counts, strict=True)
     ):
+        if (kind, size) not in TYPES:
+            raise UnreadableFile(path, f"its field {name} is of the unknown type {kind} {size}.")
         label = f"unused{number}" if name == "_" else name
-        fields.append((label, f"<{TYPES[kind]}{int(size)}", (int(many),) if many != "1" else ()))
-    total = entries.get("POINTS") or [
-        str(int(entries["WIDTH"][0]) * int(entries.get("HEIGHT", ["1"])[0]))
-    ]
-    return Header(np.dtype(fields), int(total[0]), entries["DATA"][0])
+        fields.append((label, f"<{kind.lower()}{size}", (many,) if many != 1 else ()))
+    return np.dtype(fields)
+
+
+def _entry(path: Path, entries: Entries, key: str) -> list[str]:
+    if not entries.get(key):
+        raise UnreadableFile(path, f"its header has no line {key}.")
+    return entries[key]
+
+
+def _whole(path: Path, entries: Entries, key: str) -> list[int]:
+    words = _entry(path, entries, key)
+    if not all(word.isdecimal() for word in words):
+        raise UnreadableFile(path, f"its header has a line {key} of other than whole numbers.")
+    return list(map(int, words))
 
 
 def _text(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray[Any]]:
@@ -127,7 +156,7 @@ def _chunk(records: NDArray[Any], done: float) -> Chunk:
         bits = np.ascontiguousarray(packed).view(np.uint32)  # also where its type is float
         colours = np.column_stack([bits >> shift & 255 for shift in (16, 8, 0)]).astype(np.uint8)
         colours = colours[finite]
-    return Chunk(points[finite], colours, done)
+    return Chunk(points[finite], colours, done, int((~finite).sum()))
 
 
 def _names(record: np.dtype[Any]) -> tuple[str, ...]:

@@ -7,30 +7,14 @@ import os
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from .cloud import Chunk, Cloud, Reservoir
-from .registry import SUFFIXES, UnreadableFile, format_of
+from .in_place import is_read_in_place
+from .registry import UnreadableFile, format_of
 
 Progress = Callable[[float, str], object]
-
-# What the core maps into memory and reads where it lies.
-IN_PLACE = (".ply", ".las", ".npy")
-
-
-def is_read_in_place(path: Path) -> bool:
-    """Return whether the core can sample the file itself: binary PLY, LAS and NPY."""
-    if path.suffix.lower() not in IN_PLACE:
-        return False
-    if path.suffix.lower() != ".ply":
-        return True
-    try:
-        with path.open("rb") as file:
-            return b"format ascii" not in file.read(256)
-    except OSError:
-        return True  # the core says what is wrong
 
 
 def read(
@@ -77,20 +61,8 @@ def read_merged(
             if is_time_up():
                 return reservoir.cloud()
     if reservoir.total == 0:
-        raise UnreadableFile(listed[0] if listed else Path(), "it holds no points.")
+        raise _without_points(listed[0] if listed else Path(), reservoir.left_out)
     return reservoir.cloud()
-
-
-def expand(path: Path) -> list[Path]:
-    """Return the files of a folder that can be read, by name, hidden ones apart; or the file."""
-    if not path.is_dir():
-        return [path]
-    # Programs hide what is no scan, such as ._x.ply beside x.ply on disks of macOS.
-    files = [file for file in path.iterdir() if not file.name.startswith(".")]
-    found = sorted(file for file in files if file.suffix.lower() in SUFFIXES)
-    if not found:
-        raise UnreadableFile(path, "the folder holds no file that can be read.")
-    return found
 
 
 @dataclass
@@ -114,10 +86,11 @@ class Description:
 
 def describe(path: Path, progress: Progress | None = None) -> Description:
     """Look at all points of a file, in bounded memory."""
-    count, broken, has_colours = 0, 0, False
+    count, broken, left_out, has_colours = 0, 0, 0, False
     lower, upper = np.full(3, np.inf), np.full(3, -np.inf)
     for chunk in _chunks(path):
         count += len(chunk.points)
+        left_out += chunk.left_out
         has_colours |= chunk.colours is not None
         finite = np.isfinite(chunk.points).all(axis=1)
         broken += int((~finite).sum())
@@ -127,7 +100,7 @@ def describe(path: Path, progress: Progress | None = None) -> Description:
         if progress is not None:
             progress(chunk.done, f"Reading {path.name}")
     if count == broken:
-        raise UnreadableFile(path, "it holds no points.")
+        raise _without_points(path, count + left_out)
     return Description(
         format_of(path).name,
         count,
@@ -139,6 +112,12 @@ def describe(path: Path, progress: Progress | None = None) -> Description:
     )
 
 
+def _without_points(path: Path, invalid: int) -> UnreadableFile:
+    if invalid == 0:
+        return UnreadableFile(path, "it holds no points.")
+    return UnreadableFile(path, f"none of its {invalid:,} points is finite and valid.")
+
+
 def _chunks(path: Path) -> Iterator[Chunk]:
     """The points of a file; whatever a reader stumbles over is told with the path."""
     if path.is_dir():
@@ -148,14 +127,34 @@ def _chunks(path: Path) -> Iterator[Chunk]:
     known = format_of(path)
     try:
         yield from known.chunks(path)
-    except (UnreadableFile, OSError, MemoryError):
+    except (UnreadableFile, MemoryError):
         raise
+    except OSError as error:
+        if error.filename is not None and Path(error.filename) == path:
+            raise
+        raise UnreadableFile(path, f"it cannot be read: {_of_system(error)}") from error
     except Exception as error:  # libraries raise errors of their own for broken files
         raise UnreadableFile(
             path, f"it cannot be read as {known.name}: {_sentence(error)}"
         ) from error
 
 
+def _of_system(error: OSError) -> str:
+    """Of another file, that this one needs, or of none that is known."""
+    if isinstance(error, FileNotFoundError):
+        return f"a file that it needs is missing: '{error.filename or error}'."
+    if error.filename is None:
+        return _sentence(error)
+    return f"the file '{error.filename}', which it needs: {error.strerror}."
+
+
 def _sentence(error: Exception) -> str:
-    text: Any = " ".join(str(error).split()) or type(error).__name__
+    """The reason in one line, without what is for those who debug the library."""
+    if isinstance(error, ImportError):
+        # Libraries import more for contents that they do not expect.
+        return f"its content is another, or the package {error.name} is missing."
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    text = lines[0] if lines else type(error).__name__
+    if isinstance(error, KeyError):
+        text = f"it has no {text}"
     return text if text.endswith(".") else text + "."

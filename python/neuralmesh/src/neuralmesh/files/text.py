@@ -10,7 +10,6 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
 
@@ -19,31 +18,11 @@ from numpy.typing import NDArray
 
 from .cloud import Chunk
 from .registry import UnreadableFile
+from .text_header import Columns, Header
 
 LINES = 100_000  # a tenth of a second, after which Ctrl-C is heard
 COMMENTS = ("#", "//", "!")
-COORDINATES = (
-    ("x", "y", "z"),
-    ("xcoord", "ycoord", "zcoord"),
-    ("points0", "points1", "points2"),  # ParaView's
-    ("easting", "northing", "height"),
-)
-COLOURS = (("red", "green", "blue"), ("r", "g", "b"))
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?|[-+]?(nan|inf)", re.IGNORECASE)
-
-
-@dataclass
-class Columns:
-    """Where things stand in a line."""
-
-    coordinates: tuple[int, ...]
-    colours: tuple[int, ...] | None
-    """None: there are none; empty: to be found out from the numbers."""
-
-    @property
-    def used(self) -> tuple[int, ...]:
-        """All columns that are read."""
-        return self.coordinates + (self.colours or ())
 
 
 def chunks(path: Path) -> Iterator[Chunk]:
@@ -56,49 +35,64 @@ def chunks(path: Path) -> Iterator[Chunk]:
             raise UnreadableFile(path, "it is not text.") from None
 
 
+def begins_with_points(path: Path) -> bool:
+    """Return whether a file has points, or a header of points, before any other text."""
+    with path.open(encoding="utf-8-sig", errors="replace") as file:
+        try:
+            return _first_points(path, file, Header())[0] is not None
+        except UnreadableFile:
+            return False
+
+
 def _parse(path: Path, file: TextIO, size: int) -> Iterator[Chunk]:
-    first, header = _first_points(path, file)
+    header = Header()
+    first, promised = _first_points(path, file, header)
     if first is None:
         return
     separator, decimal_comma = _separator(first)
-    fields = _fields(first.replace(",", ".") if decimal_comma else first, separator)
-    columns = _columns(path, header, len(fields))
+    count = len(_fields(first, separator))
+    columns = _columns(path, header, first, separator)
     lines = itertools.chain([first], file)
-    read = 0
+    read, found = 0, 0
     while block := list(itertools.islice(lines, LINES)):
         read += sum(map(len, block))
         if decimal_comma:
             block = [line.replace(",", ".") for line in block]
         if columns.colours == ():
-            columns.colours = _guess_colours(block, separator, len(fields))
-        numbers = _numbers(path, block, separator, columns)
+            columns.colours = _guess_colours(block, separator, count)
+        numbers, more_promised = _numbers(path, block, separator, columns)
+        promised += more_promised
+        found += len(numbers)
         colours = None
         if columns.colours:
             colours = _as_bytes(numbers[:, 3:6])
         yield Chunk(np.ascontiguousarray(numbers[:, :3]), colours, min(1.0, read / size))
+    if found < promised:
+        raise UnreadableFile(path, f"it is cut short: of {promised:,} points it holds {found:,}.")
 
 
-def _first_points(path: Path, file: TextIO) -> tuple[str | None, list[str]]:
-    """The first line of points, and the names of a header before it."""
-    header: list[str] = []
+def _first_points(path: Path, file: TextIO, header: Header) -> tuple[str | None, int]:
+    """The first line of points, and how many a line before it promises; fills the header."""
+    promised = 0
     for line in file:
         text = line.strip()
         if not text:
             continue
-        words = re.split(r"[\s,;]+", text.lstrip("#/! ").strip(" ,;"))
+        if text.startswith(COMMENTS):
+            header.add_comment(text.lstrip("#/! \t"))
+            continue
+        words = re.split(r"[\s,;]+", text.strip(" ,;"))
         if not NUMBER.fullmatch(words[0].replace('"', "")):
-            header = [re.sub(r"[\W_]", "", word.lower()) for word in words]
-            if not text.startswith(COMMENTS) and not _names_coordinates(header):
-                raise UnreadableFile(path, f"its first line is none of points: '{text[:60]}'.")
-            continue
-        if text.startswith(COMMENTS) or len(words) == 1:  # PTS: how many points follow
-            continue
-        return line, header if _names_coordinates(header) else []
-    return None, header
+            header.add_line(path, line.rstrip("\r\n"))
+        elif len(words) == 1:  # PTS: how many points follow
+            promised += _promised(text)
+        else:
+            return line, promised
+    return None, promised
 
 
-def _names_coordinates(header: list[str]) -> bool:
-    return any(set(names) <= set(header) for names in COORDINATES)
+def _promised(text: str) -> int:
+    return int(text) if text.isdecimal() else 0
 
 
 def _separator(line: str) -> tuple[str | None, bool]:
@@ -114,17 +108,13 @@ def _fields(line: str, separator: str | None) -> list[str]:
     return [field.strip() for field in line.strip().rstrip(",;").split(separator)]
 
 
-def _columns(path: Path, header: list[str], count: int) -> Columns:
+def _columns(path: Path, header: Header, first: str, separator: str | None) -> Columns:
+    count = len(_fields(first, separator))
     if count < 3:
         raise UnreadableFile(path, "its lines have fewer than three numbers.")
-    for names in COORDINATES:
-        if set(names) <= set(header):
-            place = tuple(header.index(name) for name in names)
-            colours = next(
-                (tuple(map(header.index, c)) for c in COLOURS if set(c) <= set(header)), None
-            )
-            return Columns(place, colours)
-    return Columns((0, 1, 2), () if count >= 6 else None)
+    counts = (count, len(first.rstrip("\r\n").split(separator)))
+    found = header.columns(path, counts, separator)
+    return found or Columns((0, 1, 2), () if count >= 6 else None)
 
 
 def _guess_colours(block: list[str], separator: str | None, count: int) -> tuple[int, ...] | None:
@@ -141,12 +131,14 @@ def _guess_colours(block: list[str], separator: str | None, count: int) -> tuple
 
 def _numbers(
     path: Path, block: list[str], separator: str | None, columns: Columns
-) -> NDArray[np.float64]:
+) -> tuple[NDArray[np.float64], int]:
+    """The numbers of the lines, and how many points lines between them promise."""
     try:
-        return _loaded(block, separator, columns)
+        return _loaded(block, separator, columns), 0
     except ValueError:
         # Some line is none of points: counts of further scans, comments, or what is broken.
-        return _loaded(_lines_of_points(path, block, separator, columns), separator, columns)
+        lines, promised = _lines_of_points(path, block, separator, columns)
+        return _loaded(lines, separator, columns), promised
 
 
 def _loaded(block: list[str], separator: str | None, columns: Columns) -> NDArray[np.float64]:
@@ -157,18 +149,21 @@ def _loaded(block: list[str], separator: str | None, columns: Columns) -> NDArra
 
 def _lines_of_points(
     path: Path, block: list[str], separator: str | None, columns: Columns
-) -> list[str]:
-    kept = []
+) -> tuple[list[str], int]:
+    kept, promised = [], 0
     for line in block:
         text = line.strip()
         fields = _fields(line, separator)
-        if not text or text.startswith(COMMENTS) or (len(fields) == 1 and text.isdigit()):
+        if not text or text.startswith(COMMENTS):
+            continue
+        if len(fields) == 1 and text.isdecimal():
+            promised += _promised(text)
             continue
         words = [fields[column] for column in columns.used if column < len(fields)]
         if len(words) < len(columns.used) or not all(map(NUMBER.fullmatch, words)):
             raise UnreadableFile(path, f"this line is none of points: '{text[:60]}'.")
         kept.append(line)
-    return kept
+    return kept, promised
 
 
 def _as_bytes(colours: NDArray[np.float64]) -> NDArray[np.uint8]:
