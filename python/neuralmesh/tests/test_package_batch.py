@@ -62,7 +62,7 @@ def test_36_mixed_files_are_each_done_or_named_with_the_reason(
     run = commands.run("batch", scans, "--out", out, "-n", VERTICES)
     assert run.returncode == 1, run.stdout + run.stderr
     assert "35 done, 1 failed" in run.stdout
-    assert "broken: It cannot be read as LAS, LAZ or COPC: " in run.stdout
+    assert "broken: It is cut short or broken: its header promises 1,000 points, " in run.stdout
     assert f"{len(beside)} × .bin (" in run.stdout
     assert "1 × .jpg (photo.jpg); 1 × no ending (README)." in run.stdout
 

@@ -200,8 +200,8 @@ SHAPE: tuple[Mutant, ...] = (
         "no-last-grid",
         "a start of more faces than the usual grid has cells on the surface is of the last",
         _SHAPE,
-        "               startFaces_ <= pointCount_ *",
-        "               startFaces_ <= 1e9 * pointCount_ *",
+        "startFaces_ <= pointCount_ *",
+        "startFaces_ <= 1e9 * pointCount_ *",
         ("CoarseShape.is_of_a_grid_as_fine_as_the_start",),
     ),
     Mutant(
