@@ -194,7 +194,7 @@ SHAPE: tuple[Mutant, ...] = (
         _SHAPE,
         "isStable_ = isSheet_ && reading.shape.votes >= clearVotes;",
         "isStable_ = isSheet_ && reading.shape.votes < 0;",
-        ("Closing.a_sheet_among_outliers_is_one_piece_without_folds",),
+        ("CoarseShape.knows_an_open_sheet",),
     ),
     Mutant(
         "no-last-grid",
