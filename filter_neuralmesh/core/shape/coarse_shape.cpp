@@ -55,7 +55,7 @@ static_assert(lastCells == firstCells << (std::size(roundsBeforeFlood) - 1) &&
 
 /// The second grid is the first to part the sides of a thin wall, whose normals turn slowly. Where
 /// this share of its points or more contradicts the field, it has some rounds more; and where these
-/// have spread to the latter share, which what is only crowded never does, as many as all take.
+/// have spread to the latter share, as they do not in what is only crowded, as many as all take.
 constexpr std::size_t partingGrid = 1;
 constexpr double mostContradicted = 0.04;
 constexpr double leastSpread = 0.1;

@@ -2,7 +2,7 @@
 """Files of points and meshes: one registry of formats, read in chunks, and the writers."""
 
 from .cloud import Cloud, most_points_for
-from .folders import Folder, expand, look_into
+from .folders import Folder, look_into
 from .in_place import is_read_in_place
 from .reading import describe, read, read_merged
 from .registry import FORMATS, UnreadableFile
@@ -15,7 +15,6 @@ __all__ = [
     "Folder",
     "UnreadableFile",
     "describe",
-    "expand",
     "is_read_in_place",
     "look_into",
     "most_points_for",

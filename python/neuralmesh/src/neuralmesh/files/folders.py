@@ -39,11 +39,6 @@ def look_into(path: Path) -> Folder:
     return found
 
 
-def expand(path: Path) -> list[Path]:
-    """Return the files of a folder that can be read, by name; or the file itself."""
-    return look_into(path).files
-
-
 def _why_not(path: Path) -> str:
     """Why an entry of a folder is no input; empty if it is one."""
     suffix = path.suffix.lower()
