@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # `cmake --install BUILD --component library --prefix PREFIX` puts the core and the samplers, as
-# static libraries with their public headers, where find_package(neuralmesh) finds them. Where a
-# plugin is built, an installation without a component is the plugin's and leaves the library out.
+# static libraries with their public headers, where find_package(neuralmesh) finds them, and the
+# licences of all that is compiled in, which ask to be beside every copy. Where a plugin is built,
+# an installation without a component is the plugin's and leaves the library out.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -18,6 +19,8 @@ install(TARGETS neuralmesh_core neuralmesh_samplers muparser EXPORT neuralmesh
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" ${component}
     INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(DIRECTORY include/neuralmesh DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" ${component})
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.txt"
+    DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/neuralmesh" ${component})
 install(EXPORT neuralmesh NAMESPACE neuralmesh:: FILE neuralmesh-targets.cmake
     DESTINATION "${package_folder}" ${component})
 
