@@ -45,7 +45,7 @@ class Columns:
 
     coordinates: tuple[int, ...]
     colours: tuple[int, ...] | None
-    """None: there are none; empty: to be found out from the numbers."""
+    """None: there are none."""
 
     @property
     def used(self) -> tuple[int, ...]:
