@@ -21,8 +21,8 @@ def chunks(path: Path) -> Iterator[Chunk]:
     for vertices, done in rows_with_key(path, b"v"):
         if not vertices:
             continue
-        has_colours = len(vertices[0].split()) >= 6
-        columns = (0, 1, 2, 3, 4, 5) if has_colours else (0, 1, 2)
+        has_colours = len(vertices[0].split()) >= 7
+        columns = (1, 2, 3, 4, 5, 6) if has_colours else (1, 2, 3)
         values = numbers(path, vertices, columns)
         colours = None
         if has_colours:  # shares of 1

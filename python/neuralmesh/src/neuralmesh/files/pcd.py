@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from .. import _core
 from .cloud import Chunk
+from .lines import cut_short, rows
 from .registry import UnreadableFile
 
 POINTS = 1_000_000
-LINES = 200_000
 LONGEST_HEADER = 64  # lines
 TYPES = {(kind, size) for kind in "IU" for size in (1, 2, 4, 8)} | {("F", 4), ("F", 8)}
 Entries = dict[str, list[str]]
@@ -105,38 +105,34 @@ def _text(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray[Any]]:
     for name in _names(header.record):
         places[name] = columns
         columns += int(np.prod(header.record[name].shape, dtype=int))
-    flat = np.dtype([(f"c{number}", "f8") for number in range(columns)])
-    left = header.count
-    while left > 0:
-        rows = np.loadtxt(file, dtype=flat, max_rows=min(left, LINES), ndmin=1)
-        if len(rows) == 0:
-            raise UnreadableFile(path, f"it ends {left} points early.")
-        left -= len(rows)
-        records = np.zeros(len(rows), header.record)
-        for name in ("x", "y", "z", "rgb", "rgba"):
-            if name in places:
-                records[name] = rows[f"c{places[name]}"]
+    names = [name for name in ("x", "y", "z", "rgb", "rgba") if name in places]
+    for values in rows(path, file, header.count, [places[name] for name in names], "points"):
+        records = np.zeros(len(values), header.record)
+        for name, column in zip(names, values.T, strict=True):
+            records[name] = column
         yield records
 
 
 def _binary(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray[Any]]:
-    left = header.count
-    while left > 0:
-        records = np.fromfile(file, header.record, count=min(left, POINTS))
-        if len(records) == 0:
-            raise UnreadableFile(path, f"it ends {left} points early.")
-        left -= len(records)
-        yield records
+    size = header.record.itemsize
+    held = (path.stat().st_size - file.tell()) // max(size, 1)
+    if held < header.count:
+        raise cut_short(path, header.count, held, "points")
+    for begin in range(0, header.count, POINTS):
+        yield np.fromfile(file, header.record, count=min(header.count - begin, POINTS))
 
 
 def _compressed(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray[Any]]:
     """One block by LZF, in which all values of a field stand together."""
-    packed_size, size = np.frombuffer(file.read(8), "<u4")
+    sizes = file.read(8)
+    if len(sizes) < 8:
+        raise cut_short(path, header.count, 0, "points")
+    packed_size, size = np.frombuffer(sizes, "<u4")
     if int(size) != header.count * header.record.itemsize:
         raise UnreadableFile(path, "its block is not as long as its header says.")
     packed = file.read(int(packed_size))
     if len(packed) < packed_size:
-        raise UnreadableFile(path, "it is cut short.")
+        raise cut_short(path, int(packed_size), len(packed), "bytes of packed points")
     block = _core.lzf_decompressed(packed, int(size))
     records, begin = np.empty(header.count, header.record), 0
     for name in _names(header.record):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""PLY, binary and text: vertices of a binary file are mapped, not loaded; others by plyfile.
+"""PLY: vertices of a binary file are mapped, of text read in blocks; those with lists by plyfile.
 
 Faces, which follow, are never read.
 """
@@ -7,6 +7,7 @@ Faces, which follow, are never read.
 from __future__ import annotations
 
 import io
+import itertools
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 from plyfile import PlyData
 
 from .cloud import Chunk
+from .lines import cut_short, rows
 from .ply_header import Header, read_header
 from .registry import UnreadableFile
 
@@ -25,46 +27,81 @@ COLOURS = (("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_b
 
 def chunks(path: Path) -> Iterator[Chunk]:
     """Yield the vertices."""
-    vertices = _vertices(path)
-    names = vertices.dtype.names or ()
-    if not {"x", "y", "z"} <= set(names):
-        raise UnreadableFile(path, "its vertices have no x, y and z.")
-    colour_names = next((c for c in COLOURS if set(c) <= set(names)), None)
-    for begin in range(0, len(vertices), POINTS):
-        part = vertices[begin : begin + POINTS]
-        points = np.column_stack([part[axis].astype(np.float64) for axis in "xyz"])
-        colours = None
-        if colour_names is not None:
-            colours = np.column_stack([_as_bytes(part[name]) for name in colour_names])
-        yield Chunk(points, colours, min(1.0, (begin + POINTS) / max(len(vertices), 1)))
-
-
-def _vertices(path: Path) -> NDArray[Any]:
-    """The records of the vertices."""
     with path.open("rb") as file:
         header = read_header(file)
-        if header is not None and header.record is not None:
-            return _mapped(path, header, header.record, file.tell())
-        if header is not None:
-            # What follows the vertices is not promised any more, so that it is not read.
-            joined = io.BufferedReader(_Joined(header.lines, file))
-            return PlyData.read(joined)["vertex"].data
-    ply = PlyData.read(str(path), mmap="c")
-    if "vertex" not in ply:
-        raise UnreadableFile(path, "it has no vertices.")
-    return ply["vertex"].data
+        if header is None or header.vertices.has_list or not (header.record or header.is_text):
+            blocks = _by_plyfile(path, file, header)
+        elif header.record is not None:
+            blocks = _mapped(path, header, header.record, file.tell())
+        else:
+            blocks = _text(path, file, header)
+        total = None if header is None else header.vertices.count
+        read = 0
+        for block in blocks:
+            read += len(block)
+            yield _chunk(path, block, read / max(total or read, 1))
 
 
-def _mapped(path: Path, header: Header, record: np.dtype[Any], begin: int) -> NDArray[Any]:
+def _chunk(path: Path, vertices: NDArray[Any], done: float) -> Chunk:
+    names = vertices.dtype.names or ()
+    _require_coordinates(path, names)
+    points = np.column_stack([vertices[axis].astype(np.float64) for axis in "xyz"])
+    colour_names = next((c for c in COLOURS if set(c) <= set(names)), None)
+    colours = None
+    if colour_names is not None:
+        colours = np.column_stack([_as_bytes(vertices[name]) for name in colour_names])
+    return Chunk(points, colours, done)
+
+
+def _require_coordinates(path: Path, names: tuple[str, ...]) -> None:
+    if not {"x", "y", "z"} <= set(names):
+        raise UnreadableFile(path, "its vertices have no x, y and z.")
+
+
+def _mapped(
+    path: Path, header: Header, record: np.dtype[Any], begin: int
+) -> Iterator[NDArray[Any]]:
     count, begin = header.vertices.count, begin + header.bytes_before
     held = max(path.stat().st_size - begin, 0) // max(record.itemsize, 1)
     if held < count:
-        raise UnreadableFile(
-            path, f"it is cut short: its header promises {count:,} vertices, but it holds {held:,}."
-        )
+        raise cut_short(path, count, held, "vertices")
     if count == 0:
-        return np.empty(0, record)
-    return np.memmap(path, record, "r", begin, (count,))
+        return
+    vertices = np.memmap(path, record, "r", begin, (count,))
+    for first in range(0, count, POINTS):
+        yield vertices[first : first + POINTS]
+
+
+def _text(path: Path, file: BinaryIO, header: Header) -> Iterator[NDArray[Any]]:
+    """Vertices and what is before them have a line each."""
+    before = sum(element.count for element in header.elements[:-1])
+    for _ in itertools.islice(file, before):
+        pass
+    names = tuple(name for name, _ in header.vertices.fields)
+    _require_coordinates(path, names)
+    wanted = [name for name in names if name in ("x", "y", "z", *COLOURS[0], *COLOURS[1])]
+    columns = [names.index(name) for name in wanted]
+    kinds = dict(header.vertices.fields)
+    # Coordinates keep their digits, also those of float, which a text may have more of.
+    record = np.dtype([(n, "f8" if n in ("x", "y", "z") else kinds[n]) for n in wanted])
+    for values in rows(path, file, header.vertices.count, columns, "vertices"):
+        block = np.empty(len(values), record)
+        for name, column in zip(wanted, values.T, strict=True):
+            block[name] = column
+        yield block
+
+
+def _by_plyfile(path: Path, file: BinaryIO, header: Header | None) -> Iterator[NDArray[Any]]:
+    """Vertices of which nobody knows where they are without reading all, at once."""
+    if header is not None:
+        # What follows the vertices is not promised any more, so that it is not read.
+        joined = io.BufferedReader(_Joined(header.lines, file))
+        yield PlyData.read(joined)["vertex"].data
+        return
+    ply = PlyData.read(str(path), mmap="c")
+    if "vertex" not in ply:
+        raise UnreadableFile(path, "it has no vertices.")
+    yield ply["vertex"].data
 
 
 class _Joined(io.RawIOBase):

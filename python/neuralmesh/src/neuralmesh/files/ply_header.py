@@ -41,6 +41,11 @@ class Header:
     """A header that ends with the vertices."""
 
     @property
+    def is_text(self) -> bool:
+        """Whether each vertex is a line."""
+        return not self.order
+
+    @property
     def vertices(self) -> Element:
         """The element of vertices."""
         return self.elements[-1]

@@ -55,7 +55,9 @@ FORMATS = (
     Format("points as text", (".xyz", ".xyzrgb", ".csv", ".txt", ".asc"), "text"),
     Format("NumPy's NPY or NPZ", (".npy", ".npz"), "arrays"),
     Format("OBJ", (".obj",), "obj"),
-    Format("a mesh", (".stl", ".off", ".glb", ".gltf"), "meshes"),
+    Format("STL", (".stl",), "stl"),
+    Format("OFF", (".off",), "off"),
+    Format("GLB or glTF", (".glb", ".gltf"), "gltf"),
 )
 SUFFIXES = tuple(suffix for known in FORMATS for suffix in known.suffixes)
 

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The vertices of STL, OFF, glTF and GLB, by trimesh: all parts, each in its place."""
+"""The vertices of glTF and GLB, by trimesh, which loads them whole: all parts in their places."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from pathlib import Path
+from urllib.parse import unquote
 
 import numpy as np
 import trimesh
@@ -12,15 +14,12 @@ import trimesh
 from .cloud import Chunk
 from .registry import UnreadableFile
 
-STL_HEADER = 84  # bytes: 80 of any kind, and the number of triangles
-STL_TRIANGLE = 50  # bytes
-
 
 def chunks(path: Path) -> Iterator[Chunk]:
-    """Yield the vertices of each part. Those of STL, which has one for each corner, are merged."""
-    if path.suffix.lower() == ".stl":
-        _require_whole_stl(path)
-    scene = trimesh.load_scene(path, process=path.suffix.lower() == ".stl")
+    """Yield the vertices of each part."""
+    if path.suffix.lower() == ".gltf":
+        _require_whole(path)
+    scene = trimesh.load_scene(path, process=False)
     names = list(scene.graph.nodes_geometry)
     for number, node in enumerate(names):
         transform, name = scene.graph[node]
@@ -35,22 +34,19 @@ def chunks(path: Path) -> Iterator[Chunk]:
         )
 
 
-def _require_whole_stl(path: Path) -> None:
-    """Refuse binary STL that is cut short, which would be taken for text."""
-    size = path.stat().st_size
-    with path.open("rb") as file:
-        head = file.read(STL_HEADER)
-        is_text = head.lstrip().startswith(b"solid") and b"\0" not in head + file.read(4096)
-    if is_text or size == 0:
-        return
-    if len(head) < STL_HEADER:
-        raise UnreadableFile(path, "it is cut short, or no STL file.")
-    promised = int.from_bytes(head[-4:], "little")
-    held = (size - STL_HEADER) // STL_TRIANGLE
-    if held < promised:
-        raise UnreadableFile(
-            path, f"it is cut short: of {promised:,} triangles of its header, it holds {held:,}."
-        )
+def _require_whole(path: Path) -> None:
+    """Refuse glTF that is cut short, or of whose files beside it one is."""
+    try:
+        content = json.loads(path.read_bytes())
+    except ValueError:
+        raise UnreadableFile(path, "it is cut short, or no glTF: its JSON is broken.") from None
+    for buffer in content.get("buffers", ()):
+        address = buffer.get("uri", "data:")
+        beside = path.parent / unquote(address)
+        if address.startswith("data:") or not beside.is_file():
+            continue  # trimesh names a file that is missing
+        if beside.stat().st_size < buffer["byteLength"]:
+            raise UnreadableFile(path, f"the file '{beside}', which it needs, is cut short.")
 
 
 def _colours(part: object, count: int) -> np.ndarray | None:
