@@ -135,7 +135,7 @@ def test_info_of_a_folder_describes_all_that_it_can(
     assert main(["info", str(ball_file.parent)]) == 1
     printed, told = capsys.readouterr()
     assert "ball.xyz: points as text, 5,000 points" in printed
-    assert "a_broken.laz': it cannot be read as LAS, LAZ or COPC" in told
+    assert "a_broken.laz': it is no LAS or LAZ file" in told
 
 
 def test_a_cloud_that_is_too_large_is_chosen_from_and_said_so(
@@ -222,7 +222,7 @@ def test_info_describes_what_it_can_and_names_the_rest(
     assert main(["info", str(broken), str(ball_file)]) == 1
     printed, told = capsys.readouterr()
     assert "ball.xyz: points as text, 5,000 points" in printed
-    assert "broken.laz': it cannot be read as LAS, LAZ or COPC" in told
+    assert "broken.laz': it is no LAS or LAZ file" in told
     assert main(["info", "--json", str(ball_file)]) == 0
     info = json.loads(capsys.readouterr().out)
     assert info["points"] == 5000

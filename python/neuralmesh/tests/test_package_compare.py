@@ -34,7 +34,7 @@ def test_every_format_is_a_cloud_with_normals(
 @pytest.mark.parametrize(
     ("name", "content", "sentence"),
     [
-        ("a.laz", b"hello", "It cannot be read as LAS, LAZ or COPC: "),
+        ("a.laz", b"hello", "It is no LAS or LAZ file: "),
         (
             "a.csv",
             b"1,2,nan\n4,5,6\n",

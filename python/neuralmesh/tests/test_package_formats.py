@@ -123,35 +123,6 @@ def test_fields_of_a_pcd_may_be_called_columns(
     assert np.array_equal(neuralmesh.read(tmp_path / "a.pcd").points, cloud[0])
 
 
-def cut(path: Path) -> None:
-    path.write_bytes(path.read_bytes()[:-40])
-
-
-@pytest.mark.parametrize(
-    ("name", "writer"),
-    [row[:2] for row in WRITERS if row[0].rsplit(".")[0] not in ("plain", "header", "comments")],
-    ids=lambda value: value if isinstance(value, str) else "",
-)
-def test_a_file_that_is_cut_short_is_named_or_gives_what_is_there(
-    name: str,
-    writer: Callable[[Path, Points, Colours], None],
-    cloud: tuple[Points, Colours],
-    tmp_path: Path,
-) -> None:
-    path = tmp_path / name
-    writer(path, *cloud)
-    cut(path)
-    try:
-        found = neuralmesh.read(path)
-    except ValueError as error:
-        named = str(error).startswith(f"'{path}': ")
-    except OSError:
-        named = True
-    else:
-        named = len(found.points) <= 300
-    assert named
-
-
 @pytest.mark.parametrize(
     ("name", "bytes_left", "sentence"),
     [
@@ -179,20 +150,28 @@ def test_lidar_that_is_cut_short_is_refused_with_both_counts(
         ("a.xyz", b"1 2 3\n4 5 x\n", "this line is none of points: '4 5 x'"),
         ("a.xyz", b"1 2\n", "fewer than three numbers"),
         ("a.pts", b"[Expe\x80\xff\x00", "it is not text|none of points"),
-        ("a.pcd", b"hello\n" * 70, "it has no header of a PCD file|cannot be read as PCD"),
+        ("a.pcd", b"hello\n" * 70, "it has no header of a PCD file"),
         ("a.pcd", b"VERSION 0.7\nSIZE 4 4 4\nDATA ascii\n", r"its header has no line FIELDS\.$"),
         ("a.pcd", b"FIELDS x\nSIZE 4\nDATA ascii\n", r"its header has no line TYPE\.$"),
         ("a.pcd", b"FIELDS x y\nSIZE 4\nTYPE F F\nDATA ascii\n", "more fields in one line than"),
         ("a.pcd", b"FIELDS x\nSIZE 3\nTYPE F\nDATA ascii\n", "x is of the unknown type F 3"),
         ("a.pcd", b"FIELDS x\nSIZE 4\nTYPE F\nPOINTS a\nDATA ascii\n", "POINTS of other than wh"),
-        ("a.stl", bytes(80) + b"\3\0\0\0" + bytes(120), "of 3 triangles of its header, it holds 2"),
+        (
+            "a.stl",
+            bytes(80) + b"\3\0\0\0" + bytes(120),
+            "its header promises 3 triangles, but it holds 2",
+        ),
         ("a.stl", b"hello", "it is cut short, or no STL file"),
         ("a.ply", b"ply\nformat ascii 1.0\nend_header\n", "it has no vertices"),
-        ("a.las", b"LASF" + bytes(400), "cannot be read as LAS, LAZ or COPC"),
-        ("a.laz", b"hello", "cannot be read as LAS, LAZ or COPC"),
-        ("a.e57", b"hello", r"cannot be read as E57: [^*]*\(ErrorInternal\)\.$"),
-        ("a.npy", b"hello", "cannot be read as NumPy's NPY or NPZ"),
-        ("a.glb", b"hello", "cannot be read as a mesh"),
+        ("a.las", b"LASF" + bytes(400), "it is broken, or its content is not LAS, LAZ or COPC"),
+        ("a.laz", b"hello", "it is no LAS or LAZ file"),
+        ("a.e57", b"hello", r"it is no E57 file: it does not begin as one\.$"),
+        ("a.npy", b"hello", "it is no NPY file"),
+        ("a.glb", b"hello", "it is no GLB file"),
+        ("a.glb", b"glTF" + bytes(8), "it is broken, or its content is not GLB or glTF"),
+        ("a.off", b"hello", "its first line does not begin with OFF"),
+        ("a.off", b"OFF BINARY\n", "it is binary OFF"),
+        ("a.stl", bytes(80) + bytes(4) + bytes(50), "promises 0 triangles, but it holds 1"),
         ("a.obj", b"hello\n", "it holds no points"),
     ],
 )

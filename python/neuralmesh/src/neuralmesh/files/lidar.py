@@ -11,6 +11,7 @@ import laspy
 import numpy as np
 
 from .cloud import Chunk
+from .lines import cut_short
 from .registry import UnreadableFile
 
 POINTS = 200_000  # a tenth of a second of LAZ, after which Ctrl-C is heard
@@ -42,16 +43,12 @@ def _require_room(path: Path, header: Any) -> None:
     size = path.stat().st_size - header.offset_to_point_data
     room = max(size, 0) // header.point_format.size
     if room < header.point_count:
-        raise UnreadableFile(
-            path,
-            f"it is cut short: its header promises {header.point_count:,} points, but it holds "
-            f"{room:,}.",
-        )
+        raise cut_short(path, header.point_count, room, "points")
 
 
 def _records(path: Path, file: Any) -> Iterator[Any]:
     """The records by pieces; of compressed ones, it shows only then that some are missing."""
-    read, total, reason = 0, file.header.point_count, "it ends early"
+    read, total = 0, file.header.point_count
     try:
         for records in file.chunk_iterator(POINTS):
             read += len(records)
@@ -59,10 +56,14 @@ def _records(path: Path, file: Any) -> Iterator[Any]:
     except (OSError, MemoryError):
         raise
     except Exception as error:  # lazrs has its own
-        reason = str(error)
+        raise _broken(path, total, read) from error
     if read < total:
-        raise UnreadableFile(
-            path,
-            f"it is cut short or broken: its header promises {total:,} points, of which {read:,} "
-            f"could be read ({reason}).",
-        )
+        raise _broken(path, total, read)
+
+
+def _broken(path: Path, promised: int, read: int) -> UnreadableFile:
+    return UnreadableFile(
+        path,
+        f"it is cut short or broken: its header promises {promised:,} points, of which {read:,} "
+        "could be read.",
+    )

@@ -13,6 +13,7 @@ import numpy as np
 from .cloud import Chunk, Cloud, Reservoir
 from .in_place import is_read_in_place
 from .registry import UnreadableFile, format_of
+from .signatures import require_whole
 
 Progress = Callable[[float, str], object]
 
@@ -124,19 +125,27 @@ def _chunks(path: Path) -> Iterator[Chunk]:
         raise UnreadableFile(path, "it is a folder.")
     if not path.exists():
         raise UnreadableFile(path, "there is no such file.")
-    known = format_of(path)
+    known, read = format_of(path), 0
+    require_whole(path)
     try:
-        yield from known.chunks(path)
+        for chunk in known.chunks(path):
+            read += len(chunk.points)
+            yield chunk
     except (UnreadableFile, MemoryError):
         raise
     except OSError as error:
         if error.filename is not None and Path(error.filename) == path:
             raise
         raise UnreadableFile(path, f"it cannot be read: {_of_system(error)}") from error
-    except Exception as error:  # libraries raise errors of their own for broken files
+    except ImportError as error:  # of what libraries import only for some contents
         raise UnreadableFile(
-            path, f"it cannot be read as {known.name}: {_sentence(error)}"
+            path, f"its content is another, or the package {error.name} is missing."
         ) from error
+    except Exception as error:  # libraries raise errors of their own for broken files
+        reason = f"it is broken, or its content is not {known.name}."
+        if read:
+            reason = f"it is broken behind its first {read:,} points."
+        raise UnreadableFile(path, reason) from error
 
 
 def _of_system(error: OSError) -> str:
@@ -144,17 +153,5 @@ def _of_system(error: OSError) -> str:
     if isinstance(error, FileNotFoundError):
         return f"a file that it needs is missing: '{error.filename or error}'."
     if error.filename is None:
-        return _sentence(error)
+        return f"{error.strerror or 'the system says nothing of the reason'}."
     return f"the file '{error.filename}', which it needs: {error.strerror}."
-
-
-def _sentence(error: Exception) -> str:
-    """The reason in one line, without what is for those who debug the library."""
-    if isinstance(error, ImportError):
-        # Libraries import more for contents that they do not expect.
-        return f"its content is another, or the package {error.name} is missing."
-    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
-    text = lines[0] if lines else type(error).__name__
-    if isinstance(error, KeyError):
-        text = f"it has no {text}"
-    return text if text.endswith(".") else text + "."
