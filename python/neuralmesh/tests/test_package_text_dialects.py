@@ -46,6 +46,8 @@ def test_headers_are_read_in_any_encoding(encoding: str, tmp_path: Path) -> None
     [
         ("1,5,2,5,3,5\n", "it is unknown whether commas part columns or decimals: '1,5,2,5,3,5'"),
         ("1,5, 2,5, 3,5\n", "it is unknown whether commas part columns or decimals"),
+        ("1,5E+3,2,5E+0,3,5E+0\n", "it is unknown whether commas part columns or decimals"),
+        ("1,5,2,5,0\n", "it is unknown whether commas part columns or decimals"),
         ("1,5,2,3\n1,5,2,5,3\n", "it is unknown whether commas part columns or decimals"),
         ('"1,500","2,5","3,5"\n', 'whether commas part decimals or thousands: "1,500"'),
         ("1,234 2.5 3\n", "some of its numbers have points and others commas"),
@@ -78,7 +80,8 @@ def test_a_change_of_decimals_is_refused_in_a_later_block(
     [
         ("x,y,z,r,g,b\n1,5,2,5,3,5\n", [[1, 5, 2]]),  # named
         ("1,-5,2,5,3,5\n", [[1, -5, 2]]),  # decimals have no sign
-        ("1,2,3\n4,5,6\n", [[1, 2, 3], [4, 5, 6]]),  # an odd number of columns
+        ("1,2,3\n4,5,6\n", [[1, 2, 3], [4, 5, 6]]),  # decimals would leave two numbers
+        ("1,2.5,3,4\n5,6,7,8\n", [[1, 2.5, 3], [5, 6, 7]]),  # decimals have points
     ],
 )
 def test_whole_numbers_between_commas_are_read_where_they_can_be_told(

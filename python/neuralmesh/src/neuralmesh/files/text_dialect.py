@@ -25,6 +25,7 @@ LINES_LOOKED_AT = 1000
 
 QUOTED = re.compile(r'"([^"\n]*)"')
 QUOTED_COMMA = re.compile(r'"\s*[-+]?\d+,\d[\d,.]*\s*"')
+WHOLE = re.compile(r"[-+]?\d+([eE][-+]?\d+)?")
 FORTRAN = re.compile(r"(?<=[\d.])[dD](?=[-+]?\d)")
 # Whole fields, which are neither times such as 12:30:01.5 nor dates.
 WITH_POINT, WITH_COMMA = (
@@ -87,7 +88,8 @@ class Dialect:
         return list(io.StringIO(text))
 
     def _with_decimal_points(self, path: Path, text: str) -> str:
-        point, comma = WITH_POINT.search(text), WITH_COMMA.search(text) if "," in text else None
+        point = WITH_POINT.search(text) if "." in text else None
+        comma = WITH_COMMA.search(text) if "," in text else None
         self.has_points |= point is not None
         self.has_commas |= comma is not None
         if self.has_points and self.has_commas:
@@ -110,16 +112,24 @@ def require_unambiguous(path: Path, dialect: Dialect, block: list[str]) -> None:
     if dialect.separator != ",":
         return
     lines = [dialect.fields(line) for line in block[:LINES_LOOKED_AT] if "," in line]
-    if not all(re.fullmatch(r"[-+]?\d+", word) for words in lines for word in words):
+    if not all(WHOLE.fullmatch(word) for words in lines for word in words):
         return
     is_varying = len({len(words) for words in lines}) > 1
-    is_even = all(len(words) >= 6 and len(words) % 2 == 0 for words in lines)
-    if is_varying or (is_even and all(word.isdecimal() for w in lines for word in w[1::2])):
+    if is_varying or _may_be_fractions(list(zip(*lines, strict=True))):
         raise UnreadableFile(
             path,
             f"it is unknown whether commas part columns or decimals: '{block[0].strip()[:SHOWN]}'. "
             "Part columns by semicolons, or begin with a line of their names, such as x,y,z,r,g,b.",
         )
+
+
+def _may_be_fractions(columns: list[tuple[str, ...]]) -> bool:
+    """Whether some columns can be the decimals of those before them, at least three of these."""
+    fractions, last = 0, 0
+    for place, words in enumerate(columns):
+        if place > last and all(word[0].isdigit() for word in words):  # decimals have no sign
+            fractions, last = fractions + 1, place + 1
+    return 0 < min(len(columns) - 3, len(columns) // 2) <= fractions
 
 
 def _count_numbers(line: str, separator: str | None) -> int:
