@@ -70,7 +70,7 @@ def test_each_scan_of_an_e57_has_its_pose_and_lacks_its_invalid_points(
 
 
 def spherical_e57(path: Path, has_limits: bool) -> None:
-    """Two points at range 2, along x and z, with colours of 16 bits."""
+    """Two points at range 2, along x and z, with colours of 16 bits; and a scan without points."""
     columns = {
         "sphericalRange": [2.0, 2.0],
         "sphericalAzimuth": [0.0, 0.0],
@@ -98,6 +98,11 @@ def spherical_e57(path: Path, has_limits: bool) -> None:
         writer = points.writer(buffers)
         writer.write(2)
         writer.close()
+        empty = lib.StructureNode(image)
+        file.data3d.append(empty)
+        record = lib.StructureNode(image)
+        record.set("cartesianX", lib.FloatNode(image))
+        empty.set("points", lib.CompressedVectorNode(image, record, lib.VectorNode(image, True)))
 
 
 @pytest.mark.parametrize("has_limits", [True, False])

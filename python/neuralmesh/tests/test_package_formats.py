@@ -161,6 +161,7 @@ def test_lidar_that_is_cut_short_is_refused_with_both_counts(
             bytes(80) + b"\3\0\0\0" + bytes(120),
             "its header promises 3 triangles, but it holds 2",
         ),
+        ("a.stl", b"solid\nvertex 1 2 3\nendsolid", "its last triangle has 1 corners"),
         ("a.stl", b"hello", "it is cut short, or no STL file"),
         ("a.ply", b"ply\nformat ascii 1.0\nend_header\n", "it has no vertices"),
         ("a.las", b"LASF" + bytes(400), "it is broken, or its content is not LAS, LAZ or COPC"),

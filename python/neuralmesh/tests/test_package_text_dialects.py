@@ -34,7 +34,7 @@ def test_numbers_are_read_as_they_are_meant(content: str, tmp_path: Path) -> Non
     assert neuralmesh.read(tmp_path / "a.txt").points.tolist()[-2:] == EXPECTED
 
 
-@pytest.mark.parametrize("encoding", ["latin-1", "utf-16", "utf-8", "utf-8-sig"])
+@pytest.mark.parametrize("encoding", ["latin-1", "utf-16", "utf-32", "utf-8", "utf-8-sig"])
 def test_headers_are_read_in_any_encoding(encoding: str, tmp_path: Path) -> None:
     content = "# vermessen in Köln\r\nHöhe;Rechtswert;Hochwert\r\n1500;1,5;-2,25\r\n0,25;0,5;3\r\n"
     (tmp_path / "a.csv").write_bytes(content.encode(encoding))
@@ -62,6 +62,19 @@ def test_what_can_be_read_in_two_ways_is_refused(
     content: str, sentence: str, tmp_path: Path
 ) -> None:
     (tmp_path / "a.txt").write_text(content, "utf-8")
+    with pytest.raises(ValueError, match=sentence):
+        neuralmesh.read(tmp_path / "a.txt")
+
+
+@pytest.mark.parametrize(
+    ("content", "sentence"),
+    [
+        ("1 2 3\n".encode("utf-16-le"), "it is not text, or UTF-16 without its mark"),
+        ("1 2 3\n".encode("utf-16")[:-1], "it is cut short, or not text as its mark says"),
+    ],
+)
+def test_what_is_no_text_says_so(content: bytes, sentence: str, tmp_path: Path) -> None:
+    (tmp_path / "a.txt").write_bytes(content)
     with pytest.raises(ValueError, match=sentence):
         neuralmesh.read(tmp_path / "a.txt")
 

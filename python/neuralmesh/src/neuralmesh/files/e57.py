@@ -28,6 +28,7 @@ def chunks(path: Path) -> Iterator[Chunk]:
     file = libe57.ImageFile(str(path), "r")
     try:
         scans = [ScanHeader(node) for node in file.root()["data3D"]]
+        scans = [scan for scan in scans if scan.point_count > 0]  # libe57 cannot read of others
         total, read = sum(scan.point_count for scan in scans), 0
         for scan in scans:
             for records in _records(path, file, scan):

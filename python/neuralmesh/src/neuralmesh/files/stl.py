@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .cloud import Chunk
-from .lines import cut_short, numbers, rows_with_key
+from .lines import numbers, rows_with_key
 from .registry import UnreadableFile
 
 HEADER = 84  # bytes: 80 of any kind, and the number of triangles
@@ -96,4 +96,4 @@ def _text(path: Path) -> Iterator[tuple[NDArray[np.floating], float]]:
         count += len(corners)
         yield numbers(path, corners, (1, 2, 3)), done
     if count % 3:
-        raise cut_short(path, count + 3 - count % 3, count, "corners of triangles")
+        raise UnreadableFile(path, f"it is broken: its last triangle has {count % 3} corners.")

@@ -19,7 +19,11 @@ from .lines import NUMBER, SHOWN
 from .registry import UnreadableFile
 
 HEAD = 4096  # bytes by which text is told from other files
-MARKS = {codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
+MARKS = {  # that of UTF-32 begins with that of UTF-16
+    codecs.BOM_UTF32_LE: "utf-32",
+    codecs.BOM_UTF16_LE: "utf-16",
+    codecs.BOM_UTF16_BE: "utf-16",
+}
 SEPARATORS = (";", "\t", ",", None)  # None: white space
 LINES_LOOKED_AT = 1000
 
@@ -35,18 +39,18 @@ WITH_POINT, WITH_COMMA = (
 
 @contextmanager
 def opened(path: Path) -> Iterator[TextIO]:
-    """Open UTF-8, UTF-16 with its mark, or Latin-1; raises UnreadableFile for what is no text."""
+    """Open UTF-8, UTF-16 or UTF-32 with a mark, or Latin-1; raises UnreadableFile for others."""
     with path.open("rb") as file:
         head = file.read(HEAD)
-    encoding = MARKS.get(head[:2], "utf-8-sig")
-    if encoding == "utf-8-sig" and b"\0" in head:
+    marked = next((name for mark, name in MARKS.items() if head.startswith(mark)), None)
+    if marked is None and b"\0" in head:
         raise UnreadableFile(path, "it is not text, or UTF-16 without its mark.")
-    errors = "strict" if encoding == "utf-16" else "neuralmesh-latin-1"
-    with path.open(encoding=encoding, errors=errors) as text:
+    errors = "strict" if marked else "neuralmesh-latin-1"
+    with path.open(encoding=marked or "utf-8-sig", errors=errors) as text:
         try:
             yield text
         except UnicodeDecodeError:
-            raise UnreadableFile(path, "it is cut short, or not text in UTF-16.") from None
+            raise UnreadableFile(path, "it is cut short, or not text as its mark says.") from None
 
 
 def _as_latin_1(error: UnicodeError) -> tuple[str, int]:
