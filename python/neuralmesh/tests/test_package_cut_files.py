@@ -84,6 +84,28 @@ def test_a_cut_file_is_refused_in_a_sentence_unless_all_points_are_there(
         assert found[:-1] == pytest.approx(cloud[0][: len(found) - 1], abs=1e-6)
 
 
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("scan.e57", r"its header promises [\d,]+ bytes, but it holds [\d,]+"),
+        ("mesh.glb", r"its header promises [\d,]+ bytes, but it holds [\d,]+"),
+        ("array.npy", "its header promises 7,328 bytes, but it holds 3,664"),
+        ("binary.pcd", "its header promises 300 points, but it holds 1.."),
+        ("ascii.pcd", "its header promises 300 points, but it holds 1..|or its last line is none"),
+        ("mesh.off", "its header promises 300 vertices, but it holds 1..|or its last line is none"),
+        ("binary.stl", "its header promises 298 triangles, but it holds 148"),
+    ],
+)
+def test_of_half_a_file_both_lengths_are_told(
+    name: str, sentence: str, cloud: tuple[Points, Colours], tmp_path: Path
+) -> None:
+    dict(FORMATS)[name](tmp_path / name, *cloud)
+    content = (tmp_path / name).read_bytes()
+    (tmp_path / name).write_bytes(content[: len(content) // 2])
+    with pytest.raises(ValueError, match=f"it is cut short(:|,) ({sentence})"):
+        neuralmesh.read(tmp_path / name)
+
+
 @pytest.mark.parametrize("share", [0.3, 0.6, 0.8])
 @pytest.mark.parametrize(
     "name", ["scan.e57", "scan.laz", "arrays.npz", "mesh.glb", "compressed.pcd", "mesh.gltf"]

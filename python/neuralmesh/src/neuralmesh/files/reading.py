@@ -29,7 +29,8 @@ def read(
 
     PLY, OBJ, STL, OFF, glTF and GLB (their vertices), XYZ and its comma and header variants, PTS,
     PCD, LAS, LAZ, COPC, E57, NPY and NPZ; `neuralmesh.files.FORMATS` lists them. Where it holds
-    more than `most_points`, a uniform choice of so many is kept, in one pass and bounded memory.
+    more than `most_points`, a uniform choice of so many is kept, in one pass and bounded memory;
+    only glTF, GLB, PCD by binary_compressed, NPZ by columns and PLY of lists are loaded whole.
     Where `is_time_up` says so, the points so far are returned, some at the least.
 
     Raises `ValueError` (`files.UnreadableFile`) where the file is of an unknown format, broken or
