@@ -6,16 +6,14 @@
 #include <iterator>
 #include <limits>
 
-#include "core/mesh/enumeration.h"
 #include "core/mesh/manifold_mesh.h"
-#include "core/mesh/mesh_checks.h"
-#include "core/mesh/triangle.h"
 #include "core/shape/border_trimming.h"
 #include "core/shape/grid_frame.h"
 #include "core/shape/membrane_opening.h"
 #include "core/shape/outside_flood.h"
 #include "core/shape/quadric_decimation.h"
 #include "core/shape/shape_reading.h"
+#include "core/shape/small_parts.h"
 #include "core/shape/surface_support.h"
 #include "core/shape/two_sides.h"
 #include "core/shape/winding_field.h"
@@ -53,14 +51,19 @@ static_assert(lastCells == firstCells << (std::size(roundsBeforeFlood) - 1) &&
                   std::size(widestSpacing) == std::size(roundsBeforeFlood),
               "Each grid has its rounds.");
 
-/// The second grid is the first to part the sides of a thin wall, whose normals turn slowly. Where
-/// this share of its points or more contradicts the field, it has some rounds more; and where these
-/// have spread to the latter share, as they do not in what is only crowded, as many as all take.
-constexpr std::size_t partingGrid = 1;
-constexpr double mostContradicted = 0.04;
-constexpr double leastSpread = 0.1;
-constexpr int roundsOfTrial = 4;
-constexpr int roundsOfParting = 20;
+/// Walls with points on both sides that are thinner than so many cells of the first grid fall
+/// between the cells of the second, too, on which their sides chase each other. The third takes
+/// over from the first, with the normals of the inner sides turned, and so many rounds.
+constexpr double wallsInCells = 1.5;
+constexpr std::size_t wallGrid = 2;
+constexpr int roundsOfWalls = 12;
+
+/// Where the levels of the second grid do not agree, it has so many rounds more, and again, as long
+/// as these leave less than this share of what was unexplained: normals turn slowly where surfaces
+/// lie within others.
+constexpr std::size_t slowGrid = 1;
+constexpr int moreRounds = 16;
+constexpr double leastProgress = 0.5;
 
 /// All of them up to the usual grids, in rounds of the first: twice as many cells along each axis
 /// take eight times as long.
@@ -137,13 +140,15 @@ public:
         learn(firstSmoothings);
         Reading reading = read();
         isStable_ = isSheet_ && reading.shape.votes >= clearVotes;
+        hasWalls_ = areWallsThin();
         while (!isFineEnough(reading)) {
             Reading coarser = std::move(reading);
-            field_.refine();
-            ++grid_;
+            refine();
             learn(finerSmoothings);
             reading = read();
-            if (isOfNoise(reading.shape, coarser.shape))
+            if (grid_ == slowGrid && !isSheet_)
+                reading = learnLonger(std::move(reading));
+            if (!hasWalls_ && isOfNoise(reading.shape, coarser.shape))
                 return judge(coarser);
             const int votes = reading.shape.votes;
             const bool isSame = reading.surface().hasShapeOf(coarser.surface());
@@ -212,17 +217,39 @@ private:
         return measureSupport(reading.surface().soup, index_, supportRadii(reading.cells));
     }
 
+    /// Of which the third grid sees both sides.
+    bool areWallsThin() const
+    {
+        const double spacingThere = spacing() * (1 << wallGrid);
+        return !isSheet_ && spacingThere <= widestSpacing[wallGrid] &&
+               haveTwoSides(index_, wallsInCells / firstCells, thinnestPlate / usualCells);
+    }
+
+    void refine()
+    {
+        const bool isPassedOver = hasWalls_ && grid_ + 1 < wallGrid;
+        field_.refine();
+        ++grid_;
+        if (!isPassedOver)
+            return;
+        refine();
+        field_.turnInnerSides(wallsInCells / firstCells, thinnestPlate / usualCells);
+    }
+
+    int lastSmoothings() const
+    {
+        return std::max(leastSmoothings,
+                        static_cast<int>(std::lround(smoothingsOfSpacing * spacing() * spacing())));
+    }
+
     void learn(int smoothings)
     {
-        const int rounds = roundsBeforeFlood[grid_];
-        const int last =
-            std::max(leastSmoothings,
-                     static_cast<int>(std::lround(smoothingsOfSpacing * spacing() * spacing())));
+        const int rounds =
+            hasWalls_ && grid_ == wallGrid ? roundsOfWalls : roundsBeforeFlood[grid_];
+        const int last = lastSmoothings();
         const int first = std::max(smoothings, last);
         for (int round = 0; round < rounds; ++round)
             improve(first + (last - first) * round / (rounds - 1));
-        if (grid_ == partingGrid && !isSheet_)
-            partWalls(last);
         const OutsideFlood flood(insideness(), points_,
                                  std::max(crustOfCells, crustOfSpacings * spacing()));
         // A finer grid does not look as far around a point, and may see one side at a time.
@@ -238,17 +265,20 @@ private:
             improve(last);
     }
 
-    /// More rounds, while there are walls to part. What is none stays as it was.
-    void partWalls(int smoothings)
+    Reading learnLonger(Reading reading)
     {
-        const WindingField::State before = field_.state();
-        for (int round = 0; round < roundsOfParting; ++round) {
-            if (field_.contradictedShare() <= mostContradicted)
-                return;
-            if (round == roundsOfTrial && field_.contradictedShare() < leastSpread)
-                return field_.goBack(before);
-            improve(smoothings);
+        while (reading.shape.votes < fewestVotes) {
+            const WindingField::State before = field_.state();
+            for (int round = 0; round < moreRounds; ++round)
+                improve(lastSmoothings());
+            Reading longer = read();
+            if (longer.shape.unexplainedShare >= leastProgress * reading.shape.unexplainedShare) {
+                field_.goBack(before);
+                return read();
+            }
+            reading = std::move(longer);
         }
+        return reading;
     }
 
     void improve(int smoothings)
@@ -319,6 +349,7 @@ private:
     double work_ = 0; ///< that is done, in rounds of the first grid
     double spacingInGrid_ = 0;
     bool isSheet_ = false;
+    bool hasWalls_ = false;    ///< that only the third grid parts
     bool isPlate_ = false;     ///< of two sides
     bool isStable_ = false;    ///< whether the last two grids have one shape
     bool isRepeated_ = false;  ///< whether the last grid's shape is that of the one before
@@ -328,23 +359,6 @@ private:
     SurfaceSupport support_;
     int cells_ = 0;
 };
-
-/// Takes out the components whose area is less than that, but for the largest: crumbs of a membrane
-/// that was taken out.
-void removeCrumbs(NeuralMesh &mesh, double leastArea)
-{
-    const std::vector<int> label = labelComponents(mesh);
-    const auto of = [&](VertexId v) { return static_cast<std::size_t>(label[v]); };
-    std::vector<double> areas(label.size(), 0);
-    forEachFace(mesh, [&](VertexId a, VertexId b, VertexId c) {
-        areas[of(a)] += area(Triangle{mesh.position(a), mesh.position(b), mesh.position(c)});
-    });
-    const double least = std::min(leastArea, *std::max_element(areas.begin(), areas.end()));
-    forEachVertex(mesh, [&](VertexId v) {
-        if (areas[of(v)] < least)
-            mesh.removeVertex(v);
-    });
-}
 
 } // namespace
 
@@ -370,8 +384,8 @@ CoarseShape findCoarseShape(NeuralMesh &mesh, const std::vector<Point3> &points,
     if (shape.openings > 0)
         surface.faces = search.trimmed(surface);
     makeManifold(mesh, surface.points, surface.faces, Boundaries::allowed);
-    removeCrumbs(mesh, ShapeReading::leastPoints * areaOf(search.soup()) /
-                           static_cast<double>(points.size()));
+    removeSmallParts(mesh, ShapeReading::leastPoints * areaOf(search.soup()) /
+                               static_cast<double>(points.size()));
     decimate(mesh, vertices);
     for (NeuralVertex &vertex : mesh.vert)
         vertex.P() = frame.fromGrid(vertex.P());

@@ -23,6 +23,32 @@ constexpr double mostOfOnePeak = 0.87;
 /// surface: each point has neighbours of the other side as near as those of its own.
 constexpr double thinnestInSpacings = 2;
 
+/// Of heights.
+class Peaks {
+public:
+    explicit Peaks(const Eigen::ArrayXd &heights) : mean_(heights.mean())
+    {
+        const Eigen::ArrayXd deviations = (heights - mean_).abs();
+        deviation_ = deviations.mean();
+        standard_ = std::sqrt(deviations.square().mean());
+    }
+
+    /// Between the two.
+    double mean() const { return mean_; }
+
+    /// Whether there are two of them, at the least so far apart. The heights are those of `count`
+    /// points in the radius.
+    bool areTwo(std::size_t count, double radius, double leastThickness) const
+    {
+        const double spacing = radius * std::sqrt(M_PI / static_cast<double>(count));
+        return 2 * standard_ >= std::max(leastThickness, thinnestInSpacings * spacing) &&
+               deviation_ > mostOfOnePeak * standard_;
+    }
+
+private:
+    double mean_, deviation_, standard_;
+};
+
 std::vector<Point3> pointsAround(const PointIndex &index, const Point3 &place, double radius)
 {
     std::vector<Point3> around;
@@ -39,7 +65,7 @@ std::vector<Point3> fewOf(const std::vector<Point3> &around)
     return chosen;
 }
 
-/// Above the best quadric, in radii.
+/// Above the best quadric.
 Eigen::VectorXd heights(const std::vector<Point3> &around, double radius)
 {
     const PrincipalAxes frame = principalAxes(around);
@@ -56,7 +82,7 @@ Eigen::VectorXd heights(const std::vector<Point3> &around, double radius)
         terms.row(i) << 1, x, y, x * x, x * y, y * y;
     }
     const Eigen::VectorXd quadric = terms.colPivHouseholderQr().solve(height);
-    return height - terms * quadric;
+    return (height - terms * quadric) * radius;
 }
 
 } // namespace
@@ -64,19 +90,46 @@ Eigen::VectorXd heights(const std::vector<Point3> &around, double radius)
 bool haveTwoSides(const PointIndex &index, double radius, double leastThickness)
 {
     const std::vector<Point3> &points = index.points();
-    std::vector<double> ratios;
+    std::size_t looked = 0;
+    std::size_t walls = 0;
     for (std::size_t i = 0; i < points.size(); i += points.size() / places + 1) {
         const std::vector<Point3> around = pointsAround(index, points[i], radius);
         if (around.size() < fewestAround)
             continue;
-        const Eigen::ArrayXd deviations = heights(fewOf(around), radius).array().abs();
-        const double standard = std::sqrt(deviations.square().mean());
-        const double spacing = radius * std::sqrt(M_PI / static_cast<double>(around.size()));
-        const bool isThick =
-            2 * standard * radius >= std::max(leastThickness, thinnestInSpacings * spacing);
-        ratios.push_back(isThick ? deviations.mean() / standard : 0);
+        ++looked;
+        if (Peaks(heights(fewOf(around), radius)).areTwo(around.size(), radius, leastThickness))
+            ++walls;
     }
-    return !ratios.empty() && median(ratios) > mostOfOnePeak;
+    return 2 * walls > looked;
+}
+
+InnerSides::InnerSides(const std::vector<Point3> &points, const std::vector<vcg::Point3f> &normals,
+                       double radius, double leastThickness)
+    : index_(points), normals_(normals), radius_(radius), leastThickness_(leastThickness)
+{
+}
+
+bool InnerSides::hasPoint(std::size_t index) const
+{
+    const Point3 &point = index_.points()[index];
+    const Point3 normal = Point3::Construct(normals_[index]).Normalize();
+    std::vector<std::size_t> around;
+    std::vector<double> heights;
+    index_.forEachIndexWithin(point, radius_, [&](std::size_t other) {
+        around.push_back(other);
+        heights.push_back((index_.points()[other] - point) * normal);
+    });
+    if (around.size() < fewestAround)
+        return false;
+    const Peaks peaks(Eigen::Map<const Eigen::ArrayXd>(heights.data(),
+                                                       static_cast<Eigen::Index>(heights.size())));
+    if (peaks.mean() <= 0 || !peaks.areTwo(around.size(), radius_, leastThickness_))
+        return false;
+    double agreement = 0;
+    for (std::size_t k = 0; k < around.size(); ++k)
+        if (heights[k] > peaks.mean())
+            agreement += normal * Point3::Construct(normals_[around[k]]).Normalize();
+    return agreement > 0;
 }
 
 } // namespace neuralmesh

@@ -2,8 +2,8 @@
 #include "core/shape/winding_field.h"
 
 #include <algorithm>
-#include <atomic>
 
+#include "core/shape/two_sides.h"
 #include "core/space/point_statistics.h"
 
 namespace neuralmesh {
@@ -14,9 +14,6 @@ constexpr int cyclesPerSolution = 1;
 
 /// Points that the first grid takes: several for each of its cells that a surface passes.
 constexpr std::size_t pointsOfFirstGrid = 4000;
-
-/// Cosine of the angle from which a normal contradicts the gradient.
-constexpr float leastAgreement = 0.5F;
 
 /// Halvings of the grid over which the level of the points is spread, and the weight of what is
 /// known further away, in points.
@@ -160,16 +157,25 @@ void WindingField::descend(int smoothings)
 /// Half-way, since normals that follow the gradient all the way swing from round to round.
 void WindingField::turnNormals()
 {
-    std::atomic<std::size_t> contradicted{0};
     forEachPlace([&](std::size_t i) {
         Vector &normal = normals_[i];
         const float length = normal.Norm();
         const Vector direction = gradientAt(field_, places_[i]).Normalize() * -1;
-        if (normal * direction < leastAgreement * length)
-            ++contradicted;
         normal = (Vector(normal).Normalize() + direction).Normalize() * length;
     });
-    contradictedShare_ = static_cast<double>(contradicted) / static_cast<double>(places_.size());
+}
+
+void WindingField::turnInnerSides(double radius, double leastThickness)
+{
+    std::vector<Point3> taking;
+    for (std::size_t i = 0; i < points_.size(); i += step_)
+        taking.push_back(points_[i]);
+    const InnerSides sides(taking, normals_, radius, leastThickness);
+    std::vector<unsigned char> isInner(taking.size());
+    forEachPlace([&](std::size_t i) { isInner[i] = sides.hasPoint(i) ? 1 : 0; });
+    for (std::size_t i = 0; i < normals_.size(); ++i)
+        if (isInner[i] != 0)
+            normals_[i] *= -1;
 }
 
 void WindingField::goBack(const State &state)

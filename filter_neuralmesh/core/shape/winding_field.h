@@ -34,10 +34,9 @@ public:
     /// binomial kernel (1, 2, 1) / 4.
     void improve(int smoothings);
 
-    /// Share of the points whose normals were 60 degrees or more from the gradient before they last
-    /// turned to it: those of a wall that the field takes for one sheet, whose second side has the
-    /// normals of the first.
-    double contradictedShare() const { return contradictedShare_; }
+    /// Turns the normals of the sides of walls that lie behind others (InnerSides): a grid on which
+    /// both fell into one cell gave them the normals of one sheet. In the unit of the grid's box.
+    void turnInnerSides(double radius, double leastThickness);
 
     /// To go back to, on the same grid.
     struct State {
@@ -80,7 +79,6 @@ private:
     Grid field_;
     Grid source_, change_; ///< scratch
     NodeBox around_;       ///< nodes of the points' cells
-    double contradictedShare_ = 0;
 };
 
 } // namespace neuralmesh

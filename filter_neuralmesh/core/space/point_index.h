@@ -27,8 +27,14 @@ public:
     template <class Visit>
     void forEachWithin(const Point3 &place, double radius, const Visit &visit) const
     {
-        grid_.forEachWithin(place, static_cast<Scalar>(radius),
-                            [&](VertexId id) { visit(points_[id]); });
+        forEachIndexWithin(place, radius, [&](std::size_t i) { visit(points_[i]); });
+    }
+
+    /// Calls visit(index) for each of them.
+    template <class Visit>
+    void forEachIndexWithin(const Point3 &place, double radius, const Visit &visit) const
+    {
+        grid_.forEachWithin(place, static_cast<Scalar>(radius), [&](VertexId id) { visit(id); });
     }
 
 private:

@@ -27,4 +27,16 @@ inline CoarseShape shapeOf(const Points &points, NeuralMesh &mesh, double hole =
     return shape;
 }
 
+inline void expectShape(const Points &points, int components, int genus)
+{
+    NeuralMesh mesh;
+    const CoarseShape shape = shapeOf(points, mesh);
+    EXPECT_TRUE(shape.isTrusted);
+    EXPECT_FALSE(shape.isSheet);
+    EXPECT_EQ(shape.components, components);
+    EXPECT_EQ(shape.genus, genus);
+    EXPECT_LT(shape.unsupportedShare, 0.01);
+    EXPECT_EQ(shape.missedShare, 0);
+}
+
 } // namespace neuralmesh::test

@@ -15,51 +15,16 @@ namespace neuralmesh {
 namespace {
 
 using test::alone;
+using test::expectShape;
 using test::noHole;
 using test::shapeOf;
 using test::vertices;
-
-void expectShape(const test::Points &points, int components, int genus)
-{
-    NeuralMesh mesh;
-    const CoarseShape shape = shapeOf(points, mesh);
-    EXPECT_TRUE(shape.isTrusted);
-    EXPECT_FALSE(shape.isSheet);
-    EXPECT_EQ(shape.components, components);
-    EXPECT_EQ(shape.genus, genus);
-    EXPECT_LT(shape.unsupportedShare, 0.01);
-    EXPECT_EQ(shape.missedShare, 0);
-}
 
 const test::Points &sphere()
 {
     static const test::WorldPoints world = test::spherePoints(3000, 1);
     static const test::Points points(world.begin(), world.end());
     return points;
-}
-
-/// The surface of a slab of 1 x 0.6, bent, thinner than a cell of the first grid.
-test::Points plate()
-{
-    constexpr double thickness = 0.025;
-    Random random(2);
-    test::Points points;
-    for (int i = 0; i < 8000; ++i) {
-        double x = random.unit();
-        double y = 0.6 * random.unit();
-        double z = thickness * (random.unit() < 0.5 ? 0.5 : -0.5);
-        if (i % 16 == 0) { // its rim
-            (random.unit() < 0.5 ? x = std::round(x) : y = 0.6 * std::round(y / 0.6));
-            z = thickness * (random.unit() - 0.5);
-        }
-        points.emplace_back(x, y, z + 0.1 * x * x);
-    }
-    return points;
-}
-
-TEST(CoarseShape, of_a_thin_plate_is_no_sheet)
-{
-    expectShape(plate(), 1, 0);
 }
 
 /// A square with a wave in it, of side 1.
@@ -105,38 +70,13 @@ TEST(CoarseShape, finds_the_handle_of_a_torus)
     expectShape(test::torusPoints(3000, 1, 0.4, 1), 1, 1);
 }
 
-/// The inside and the outside of a vase, an ellipsoid of half-axes 1, 1 and `height`, and its brim
-/// around a round mouth on top.
-test::Points vase(std::size_t count, double height, double thickness, double mouth)
+TEST(CoarseShape, has_time_for_spheres_within_spheres)
 {
-    Random random(2);
-    const double inner = 1 - thickness;
-    test::Points points;
-    for (const Point3 &p : test::spherePoints(count, 1)) {
-        const double radius = random.unit() < 0.5 ? 1 : inner;
-        if (p.Z() < 0 || radius * std::hypot(p.X(), p.Y()) > mouth)
-            points.push_back(Point3(p.X(), p.Y(), height * p.Z()) * radius);
-    }
-    const double low = height * std::sqrt(inner * inner - mouth * mouth);
-    const double high = height * std::sqrt(1 - mouth * mouth);
-    for (std::size_t i = 0; i < count / 20; ++i) {
-        const double angle = 2 * M_PI * random.unit();
-        const double z = low + (high - low) * random.unit();
-        points.emplace_back(mouth * std::cos(angle), mouth * std::sin(angle), z);
-    }
-    return points;
-}
-
-TEST(CoarseShape, finds_the_inner_wall_of_a_vase)
-{
-    // Two cells thick on the second grid; on the first, a membrane closes the mouth.
-    expectShape(vase(20000, 1.5, 0.14, 0.7), 1, 0);
-}
-
-TEST(CoarseShape, parts_the_sides_of_a_wall_of_one_cell)
-{
-    // On the second grid. A third of the normals has to turn.
-    expectShape(vase(20000, 2, 0.12, 0.6), 1, 0);
+    test::Points shells;
+    for (const std::size_t fifths : {5U, 4U, 3U, 2U})
+        for (const Point3 &p : test::spherePoints(370 * fifths * fifths, fifths))
+            shells.push_back(p * (0.2 * static_cast<double>(fifths)));
+    expectShape(shells, 4, 0);
 }
 
 TEST(CoarseShape, finds_two_parts)
@@ -321,15 +261,18 @@ TEST(CoarseShape, has_no_handles_to_stray_points)
     EXPECT_EQ(shape.genus, 0);
 }
 
-TEST(CoarseShape, trusts_sheets_that_cross_where_two_grids_have_one_shape)
+TEST(CoarseShape, trusts_a_strip_with_half_a_twist_that_two_grids_close_alike)
 {
-    // No surface has these points, and the levels differ. From a solid, growth folds on them.
+    // No closed surface has these points, and the levels differ. From a solid, growth folds on
+    // them.
     Random random(1);
     test::Points points;
-    for (int i = 0; i < 10000; ++i) {
-        const double along = random.unit();
-        const double across = 2 * random.unit() - 1;
-        points.push_back(i % 2 == 0 ? Point3(along, across, 0) : Point3(along, 0, across));
+    for (int i = 0; i < 20000; ++i) {
+        const double around = 2 * M_PI * random.unit();
+        const double across = 0.8 * random.unit() - 0.4;
+        const double radius = 1 + across * std::cos(around / 2);
+        points.emplace_back(radius * std::cos(around), radius * std::sin(around),
+                            across * std::sin(around / 2));
     }
     NeuralMesh mesh;
     const CoarseShape shape = shapeOf(points, mesh);

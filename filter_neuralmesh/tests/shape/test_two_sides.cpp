@@ -26,6 +26,13 @@ test::Points plate(double thickness, double noise, int count = 8000)
     return points;
 }
 
+/// Upwards.
+vcg::Point3f normalOfPlate(const Point3 &p)
+{
+    return vcg::Point3f::Construct(
+        Point3(-0.6 * std::cos(3 * p.X()) * p.Y(), -0.2 * std::sin(3 * p.X()), 1));
+}
+
 constexpr double radius = 2.6 / 32; // two cells of the first grid around the square
 
 bool haveTwoSides(const test::Points &points, double leastThickness = 0)
@@ -85,6 +92,49 @@ TEST(TwoSides, of_points_on_a_plane_or_too_few_to_tell_there_are_none)
         test::pointsOverSquare(3000, 1, [](double, double, Random &) { return 0; });
     EXPECT_FALSE(haveTwoSides(flat));
     EXPECT_FALSE(haveTwoSides(plate(0.2, 0, 200)));
+}
+
+using Normals = std::vector<vcg::Point3f>;
+
+/// Of each kind of points, of so many kinds that take turns, the share of inner sides.
+std::vector<double> innerShares(const test::Points &points, const Normals &normals,
+                                std::size_t kinds)
+{
+    const InnerSides sides(points, normals, radius, 0);
+    std::vector<double> shares(kinds, 0);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (sides.hasPoint(i))
+            shares[i % kinds] += static_cast<double>(kinds) / static_cast<double>(points.size());
+    return shares;
+}
+
+TEST(InnerSides, are_those_behind_others_along_their_normals)
+{
+    const test::Points points = plate(0.03, 0.004, 30000); // its upper side first
+    for (const float up : {1.0F, -0.5F}) {
+        Normals normals;
+        for (const Point3 &p : points)
+            normals.push_back(normalOfPlate(p) * up);
+        const std::vector<double> share = innerShares(points, normals, 2);
+        EXPECT_GT(share[up > 0 ? 1 : 0], 0.95) << up;
+        EXPECT_EQ(share[up > 0 ? 0 : 1], 0) << up;
+    }
+}
+
+TEST(InnerSides, of_walls_with_a_gap_between_them_there_are_none)
+{
+    // Upper sides look down, lower ones up.
+    const test::Points points = plate(0.03, 0, 30000);
+    Normals normals;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        normals.push_back(normalOfPlate(points[i]) * (i % 2 == 0 ? -1.0F : 1.0F));
+    EXPECT_EQ(innerShares(points, normals, 1)[0], 0);
+}
+
+TEST(InnerSides, of_a_sheet_with_noise_there_are_none)
+{
+    const test::Points points = plate(0, 0.01, 30000);
+    EXPECT_LT(innerShares(points, Normals(points.size(), {0, 0, 1}), 1)[0], 0.001);
 }
 
 } // namespace
