@@ -22,6 +22,18 @@ double meanEdgeLength(const NeuralMesh &mesh)
     return edges > 0 ? sum / edges : 0;
 }
 
+/// Samples of a surface within two of their spacings of one of them: 4 π and itself.
+constexpr int samplesNearby = 13;
+
+/// Where samples are sparse, a place may be as far from them as twice their spacing there.
+bool isFarFromAll(const SampleSupport &support, const Point3 &place, double far)
+{
+    if (support.hasWithin(place, far))
+        return false;
+    const Point3 &nearest = support.nearest(place);
+    return support.hasWithin(nearest, (nearest - place).Norm(), samplesNearby);
+}
+
 double unsupportedShareOfArea(const NeuralMesh &mesh, const SampleSupport &support, double far)
 {
     double all = 0;
@@ -30,7 +42,7 @@ double unsupportedShareOfArea(const NeuralMesh &mesh, const SampleSupport &suppo
         const Triangle t{mesh.position(a), mesh.position(b), mesh.position(c)};
         const double faceArea = area(t);
         all += faceArea;
-        if (!support.hasWithin((t.a + t.b + t.c) / 3, far))
+        if (isFarFromAll(support, (t.a + t.b + t.c) / 3, far))
             unsupported += faceArea;
     });
     return all > 0 ? unsupported / all : 0;

@@ -7,7 +7,8 @@
 namespace neuralmesh {
 
 /// Near and far are told apart by the mean length of the mesh's edges; where the points are so
-/// sparse that their spacing is greater, by as much more.
+/// sparse that their spacing is greater, by as much more. No face is far that is within twice the
+/// spacing of the samples around the one nearest to it: density may vary.
 struct SupportFigures {
     double coverage = 0;        ///< share of the samples that are near the mesh
     double unsupportedArea = 0; ///< share of the mesh's area that is far from all samples

@@ -23,6 +23,12 @@ public:
     /// Whether a sample lies within the radius, times the widening.
     bool hasWithin(const Point3 &place, Scalar radius) const;
 
+    /// Whether so many samples lie within the radius, whatever the widening.
+    bool hasWithin(const Point3 &place, Scalar radius, int count) const
+    {
+        return grid_.hasWithin(place, radius, count);
+    }
+
     /// Most samples are within.
     const Box3 &bounds() const { return bounds_; }
 

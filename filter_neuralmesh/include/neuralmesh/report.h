@@ -67,8 +67,9 @@ struct Report {
     /// Share of the points that are near the mesh: nearer than its mean edge length or, where the
     /// points are sparse, than their spacing. 1 where nothing was left out but isolated points.
     double coverage = 0;
-    /// Share of the mesh's area that is far from all points, by the same measure: of membranes
-    /// over holes in the data, and of webs.
+    /// Share of the mesh's area that is far from all points, by the same measure, and further than
+    /// twice the spacing of the points around the nearest one: of membranes over holes in the data,
+    /// and of webs.
     double unsupportedArea = 0;
     /// Root mean square distance of samples from the growing network as it reached 8, 16, 32 ...
     /// vertices: entry k at 8 * 2^k. Below the count of a starting mesh: of the start, cut down to

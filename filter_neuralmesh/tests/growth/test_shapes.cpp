@@ -166,5 +166,29 @@ TEST(Shapes, few_points_are_no_reason_to_look_for_webs_everywhere)
     EXPECT_LT(removed, 10);
 }
 
+/// Of ground around a scanner that turns by equal angles, 1.8 above it and up to 30 away: half of
+/// the points lie within 3 of it. Most of the area is further from all points than edges are long.
+TEST(Shapes, where_points_are_sparse_faces_far_from_them_are_supported)
+{
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        Random random(seed);
+        WorldPoints points;
+        for (int i = 0; i < 60000; ++i) {
+            const double r = 1.8 / std::tan(0.06 + random.unit());
+            const double angle = 2 * M_PI * random.unit();
+            const double x = r * std::cos(angle);
+            const double y = r * std::sin(angle);
+            points.push_back({x, y, 0.5 * std::sin(x / 20) * std::cos(y / 25)});
+        }
+        GrowthParameters parameters = withTarget(1500, seed);
+        parameters.topology = Topology::learned;
+        parameters.boundaries = BoundaryRule::open;
+        const PointCloudSampler sampler(points);
+        NeuralMesh mesh;
+        // 0.34 and more, where one length tells near from far.
+        EXPECT_LT(grow(mesh, sampler, parameters).unsupportedArea, 0.02) << seed;
+    }
+}
+
 } // namespace
 } // namespace neuralmesh

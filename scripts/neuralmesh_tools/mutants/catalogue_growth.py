@@ -365,4 +365,12 @@ GROWTH: tuple[Mutant, ...] = (
         "    if (start != StartMesh::given)",
         ("FewPoints.no_vertex_is_far_outside_the_box_without_the_fit",),
     ),
+    Mutant(
+        "one-length-tells-far",
+        "where points are sparse, a face may be as far from them",
+        "core/result/support_measure.cpp",
+        "return support.hasWithin(nearest, (nearest - place).Norm(), samplesNearby);",
+        "return !support.samples().empty() && nearest != place;",
+        ("Shapes.where_points_are_sparse_faces_far_from_them_are_supported",),
+    ),
 )
