@@ -130,6 +130,22 @@ SHAPE: tuple[Mutant, ...] = (
         ),
     ),
     Mutant(
+        "sources-at-points-alone",
+        "the nodes near points are all that their sources reach",
+        _WINDING,
+        "cells_, smoothings + reachOfDivergence)",
+        "cells_, reachOfDivergence)",
+        ("WindingField.is_1_inside_a_sphere_and_0_outside",),
+    ),
+    Mutant(
+        "ends-of-the-outside-far",
+        "a fine grid is worked on where the outside ends far from all points",
+        _WINDING,
+        "    takeInBorders(isOutside);",
+        "",
+        ("WindingField.is_smooth_beside_an_outside_that_ends_far_from_all_points",),
+    ),
+    Mutant(
         "pockets-stay-inside",
         "a pocket behind a large membrane is outside",
         _FLOOD,
