@@ -135,7 +135,10 @@ SHAPE: tuple[Mutant, ...] = (
         _WINDING,
         "cells_, smoothings + reachOfDivergence)",
         "cells_, reachOfDivergence)",
-        ("WindingField.is_1_inside_a_sphere_and_0_outside",),
+        (
+            "WindingField.settles_and_does_not_swing_from_round_to_round",
+            "WindingField.keeps_what_it_has_learned_on_a_finer_grid",
+        ),
     ),
     Mutant(
         "ends-of-the-outside-far",
