@@ -292,7 +292,7 @@ private:
     double spacing() const { return spacingInGrid_ * resolution(); }
 
     /// Positive inside.
-    Grid insideness() const
+    Grid insideness()
     {
         Grid inside = field_.levelOfPoints();
         for (std::size_t i = 0; i < inside.size(); ++i)

@@ -9,69 +9,99 @@
 namespace neuralmesh {
 namespace {
 
-/// Rows of nodes along z, `count` long. `before` are the old values of the row before this one; the
-/// old values of this one take their place.
-void smoothRow(float *__restrict row, const float *__restrict after, float *__restrict before,
-               int count)
+/// Adds the nodes of a span to those of the coarse grid.
+void addHalved(const Grid &fine, int x, int y, int low, int end, Grid &coarse)
 {
-    for (int z = 0; z < count; ++z) {
-        const float here = row[z];
-        row[z] = 0.25F * (before[z] + after[z]) + 0.5F * here;
-        before[z] = here;
+    const float *from = fine.data() + fine.index(x, y, 0);
+    float *to = coarse.data() + coarse.index((x + 1) / 2, (y + 1) / 2, 0);
+    for (int z = low; z < end; ++z)
+        to[(z + 1) / 2] += from[z];
+}
+
+/// Rows of nodes along z side by side, all of which are 0 but the chosen ones. What all passes read
+/// and write stays in cache.
+class Slab {
+public:
+    Slab(int rows, int columns)
+        : rows_(rows), columns_(columns),
+          now_(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns), 0), next_(now_)
+    {
     }
-}
 
-/// `row` has a node before the first and one after the last.
-void smoothAlong(float *__restrict row, float *__restrict old, int count)
-{
-    std::copy(row - 1, row + count + 1, old);
-    for (int z = 0; z < count; ++z)
-        row[z] = 0.25F * (old[z] + old[z + 2]) + 0.5F * old[z + 1];
-}
+    /// The rows from `first` on follow each other by a stride; spansOf(row, visit) calls
+    /// visit(low, end) for the chosen nodes of one, which are none of the first and of the last.
+    template <class Spans>
+    void smooth(float *first, std::ptrdiff_t stride, const Spans &spansOf, bool isAlongZ, int times)
+    {
+        const auto forEachSpan = [&](const auto &visit) {
+            for (int row = 1; row < rows_ - 1; ++row)
+                spansOf(row, [&](int low, int end) {
+                    visit(first + row * stride + low, std::ptrdiff_t(row) * columns_ + low,
+                          std::ptrdiff_t(end) - low);
+                });
+        };
+        const auto mix = [&](std::ptrdiff_t step) {
+            forEachSpan([&](const float *, std::ptrdiff_t i, std::ptrdiff_t count) {
+                mixSpan(now_.data() + i, step, count, next_.data() + i);
+            });
+            std::swap(now_, next_);
+        };
+        forEachSpan([&](const float *nodes, std::ptrdiff_t i, std::ptrdiff_t count) {
+            std::copy(nodes, nodes + count, now_.data() + i);
+        });
+        for (int pass = 0; pass < times; ++pass) {
+            if (isAlongZ)
+                mix(1);
+            mix(columns_);
+        }
+        forEachSpan([&](float *nodes, std::ptrdiff_t i, std::ptrdiff_t count) {
+            std::copy_n(now_.data() + i, count, nodes);
+            std::fill_n(now_.data() + i, count, 0.0F);
+            std::fill_n(next_.data() + i, count, 0.0F);
+        });
+    }
 
-/// `first` is the first of `rows` rows that follow each other by `stride`.
-void smoothAcross(float *first, std::ptrdiff_t stride, int rows, float *before, int count)
-{
-    std::copy(first - stride, first - stride + count, before);
-    for (int i = 0; i < rows; ++i)
-        smoothRow(first + i * stride, first + (i + 1) * stride, before, count);
-}
+private:
+    static void mixSpan(const float *__restrict now, std::ptrdiff_t step, std::ptrdiff_t count,
+                        float *__restrict next)
+    {
+        for (std::ptrdiff_t i = 0; i < count; ++i)
+            next[i] = 0.25F * (now[i - step] + now[i + step]) + 0.5F * now[i];
+    }
+
+    int rows_, columns_;
+    std::vector<float> now_, next_;
+};
 
 } // namespace
 
-NodeBox innerNodes(const Grid &grid)
+void fill(Workers &workers, Grid &grid, const NodeSpans &nodes, float value)
 {
-    const GridSize &cells = grid.cells();
-    return {{1, 1, 1}, {cells.x - 1, cells.y - 1, cells.z - 1}};
+    nodes.forEach(workers, [&](int x, int y, int low, int end) {
+        std::fill_n(grid.data() + grid.index(x, y, low), end - low, value);
+    });
 }
 
-void smooth(Workers &workers, Grid &grid, const NodeBox &box, int times)
+void smooth(Workers &workers, Grid &grid, const NodeSpans &nodes, int times)
 {
-    const int count = box.high[2] - box.low[2] + 1;
-    const int rows[] = {box.high[0] - box.low[0] + 1, box.high[1] - box.low[1] + 1};
-    const auto withScratch = [&](int axis, const auto &visit) {
-        const int from = box.low[axis];
-        const std::size_t together = 1 + nodesOfChunk / (static_cast<std::size_t>(rows[1 - axis]) *
-                                                         static_cast<std::size_t>(count));
-        workers.forEachChunk(static_cast<std::size_t>(rows[axis]), together,
-                             [&](std::size_t first, std::size_t end, int) {
-                                 std::vector<float> scratch(static_cast<std::size_t>(count) + 2);
-                                 for (std::size_t i = first; i < end; ++i)
-                                     visit(from + static_cast<int>(i), scratch.data());
-                             });
+    const GridSize &cells = grid.cells();
+    const auto withSlabs = [&](int planes, int rows, const auto &visit) {
+        const std::size_t count = static_cast<std::size_t>(planes) - 1;
+        const std::size_t together = 1 + nodesOfChunk * count / (nodes.size() + 1);
+        workers.forEachChunk(count, together, [&](std::size_t first, std::size_t end, int) {
+            Slab slab(rows + 1, cells.z + 1);
+            for (std::size_t i = first; i < end; ++i)
+                visit(slab, static_cast<int>(i) + 1);
+        });
     };
-    for (int pass = 0; pass < times; ++pass) {
-        withScratch(0, [&](int x, float *scratch) {
-            for (int y = box.low[1]; y <= box.high[1]; ++y)
-                smoothAlong(grid.data() + grid.index(x, y, box.low[2]), scratch, count);
-            smoothAcross(grid.data() + grid.index(x, box.low[1], box.low[2]), grid.strideY(),
-                         rows[1], scratch, count);
-        });
-        withScratch(1, [&](int y, float *scratch) {
-            smoothAcross(grid.data() + grid.index(box.low[0], y, box.low[2]), grid.strideX(),
-                         rows[0], scratch, count);
-        });
-    }
+    withSlabs(cells.x, cells.y, [&](Slab &slab, int x) {
+        const auto spansOf = [&](int y, const auto &visit) { nodes.forEachInRow(x, y, visit); };
+        slab.smooth(grid.data() + grid.index(x, 0, 0), grid.strideY(), spansOf, true, times);
+    });
+    withSlabs(cells.y, cells.x, [&](Slab &slab, int y) {
+        const auto spansOf = [&](int x, const auto &visit) { nodes.forEachInRow(x, y, visit); };
+        slab.smooth(grid.data() + grid.index(0, y, 0), grid.strideX(), spansOf, false, times);
+    });
 }
 
 Grid doubled(const Grid &coarse)
@@ -106,8 +136,18 @@ Grid halvedSums(const Grid &fine)
     Grid coarse({cells.x / 2, cells.y / 2, cells.z / 2});
     for (int x = 0; x <= cells.x; ++x)
         for (int y = 0; y <= cells.y; ++y)
-            for (int z = 0; z <= cells.z; ++z)
-                coarse.at((x + 1) / 2, (y + 1) / 2, (z + 1) / 2) += fine.at(x, y, z);
+            addHalved(fine, x, y, 0, cells.z + 1, coarse);
+    return coarse;
+}
+
+Grid halvedSums(const Grid &fine, const NodeSpans &nodes)
+{
+    const GridSize &cells = fine.cells();
+    Grid coarse({cells.x / 2, cells.y / 2, cells.z / 2});
+    for (int x = 1; x < cells.x; ++x)
+        for (int y = 1; y < cells.y; ++y)
+            nodes.forEachInRow(x, y,
+                               [&](int low, int end) { addHalved(fine, x, y, low, end, coarse); });
     return coarse;
 }
 

@@ -4,21 +4,16 @@
 
 #include "core/parallel/workers.h"
 #include "core/shape/grid.h"
+#include "core/shape/node_spans.h"
 
 namespace neuralmesh {
 
-/// Nodes from low to high along each axis, both included.
-struct NodeBox {
-    int low[3];
-    int high[3];
-};
+/// Gives these nodes a value.
+void fill(Workers &workers, Grid &grid, const NodeSpans &nodes, float value);
 
-/// All nodes but those of the border.
-NodeBox innerNodes(const Grid &grid);
-
-/// Convolves the nodes of the box, which must be inner ones, with the binomial kernel (1, 2, 1) / 4
-/// along each axis, so many times. Nodes around the box stay.
-void smooth(Workers &workers, Grid &grid, const NodeBox &box, int times);
+/// Convolves these nodes with the binomial kernel (1, 2, 1) / 4 along each axis, so many times, as
+/// if all other nodes were 0. These stay.
+void smooth(Workers &workers, Grid &grid, const NodeSpans &nodes, int times);
 
 /// The grid of twice as many cells, interpolated.
 Grid doubled(const Grid &coarse);
@@ -26,5 +21,8 @@ Grid doubled(const Grid &coarse);
 /// The grid of half as many cells, of an even number, whose nodes hold the sums of the eight nodes
 /// around each.
 Grid halvedSums(const Grid &fine);
+
+/// The same, of a grid that is 0 at all nodes but these.
+Grid halvedSums(const Grid &fine, const NodeSpans &nodes);
 
 } // namespace neuralmesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loops over the rows of a grid that several threads share.
+// Loops over a grid that several threads share.
 #pragma once
 
 #include "core/parallel/workers.h"
@@ -19,17 +19,6 @@ void forEachPlanes(Workers &workers, const Grid &grid, int low, int high, const 
                          [&](std::size_t first, std::size_t end, int) {
                              visit(low + static_cast<int>(first), low + static_cast<int>(end));
                          });
-}
-
-/// Calls visit(row) for each row of inner nodes: the index of its node at z = 0, which is not inner
-/// itself. Inner are z = 1 ... cells().z - 1. What one call writes, no other may read.
-template <class Visit> void forEachInnerRow(Workers &workers, const Grid &grid, const Visit &visit)
-{
-    forEachPlanes(workers, grid, 1, grid.cells().x - 1, [&](int first, int end) {
-        for (int x = first; x < end; ++x)
-            for (int y = 1; y < grid.cells().y; ++y)
-                visit(grid.index(x, y, 0));
-    });
 }
 
 } // namespace neuralmesh

@@ -92,6 +92,9 @@ inline double cellsBeyondLevel(const Grid &grid, const GridPlace &p)
            static_cast<double>(gradientAt(grid, p).Norm());
 }
 
+/// splatDivergence() reaches so many nodes beyond the corners of the place's cell.
+constexpr int reachOfDivergence = 1;
+
 /// The adjoint of -gradientAt(): adds the divergence of the vector, spread to the nodes around.
 inline void splatDivergence(Grid &grid, const GridPlace &p, const vcg::Point3f &vector)
 {

@@ -2,6 +2,7 @@
 #include "core/shape/poisson_multigrid.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/shape/grid_loops.h"
 
@@ -18,42 +19,46 @@ constexpr int coarsestSweeps = 16;
 constexpr float firstWeight = 1.7318F;
 constexpr float secondWeight = 0.5695F;
 
-/// One row of a step of Jacobi's method; sx and sy lead to the neighbouring rows.
-void relaxRow(const float *__restrict u, const float *__restrict f, std::ptrdiff_t sx,
-              std::ptrdiff_t sy, int last, float weight, float *__restrict next)
+/// Grids of so many cells and more are worked on around the sources alone: of smaller ones, these
+/// are half and more.
+constexpr int sparseCells = 64;
+
+/// A step of Jacobi's method at a span of a row; sx and sy lead to the neighbouring rows.
+void relaxSpan(const float *__restrict u, const float *__restrict f, std::ptrdiff_t sx,
+               std::ptrdiff_t sy, int low, int end, float weight, float *__restrict next)
 {
     const float kept = 1 - weight;
     const float share = weight / 6;
-    for (int z = 1; z < last; ++z)
+    for (int z = low; z < end; ++z)
         next[z] = kept * u[z] + share * (f[z] + u[z - sx] + u[z + sx] + u[z - sy] + u[z + sy] +
                                          u[z - 1] + u[z + 1]);
 }
 
-void residualRow(const float *__restrict u, const float *__restrict f, std::ptrdiff_t sx,
-                 std::ptrdiff_t sy, int last, float *__restrict r)
+void residualSpan(const float *__restrict u, const float *__restrict f, std::ptrdiff_t sx,
+                  std::ptrdiff_t sy, int low, int end, float *__restrict r)
 {
-    for (int z = 1; z < last; ++z)
+    for (int z = low; z < end; ++z)
         r[z] =
             f[z] - 6 * u[z] + u[z - sx] + u[z + sx] + u[z - sy] + u[z + sy] + u[z - 1] + u[z + 1];
 }
 
-void clearHeld(const Grid &isFree, std::size_t row, int last, float *__restrict values)
+void clearHeld(const Grid &isFree, std::size_t row, int low, int end, float *__restrict values)
 {
     if (isFree.isEmpty())
         return;
     const float *__restrict free = isFree.data() + row;
-    for (int z = 1; z < last; ++z)
+    for (int z = low; z < end; ++z)
         values[z] *= free[z];
 }
 
-void relax(Workers &workers, const Grid &u, const Grid &f, const Grid &isFree, float weight,
-           Grid &next)
+void relax(Workers &workers, const NodeSpans &nodes, const Grid &u, const Grid &f,
+           const Grid &isFree, float weight, Grid &next)
 {
-    const int last = u.cells().z;
-    forEachInnerRow(workers, u, [&](std::size_t row) {
-        relaxRow(u.data() + row, f.data() + row, u.strideX(), u.strideY(), last, weight,
-                 next.data() + row);
-        clearHeld(isFree, row, last, next.data() + row);
+    nodes.forEach(workers, [&](int x, int y, int low, int end) {
+        const std::size_t row = u.index(x, y, 0);
+        relaxSpan(u.data() + row, f.data() + row, u.strideX(), u.strideY(), low, end, weight,
+                  next.data() + row);
+        clearHeld(isFree, row, low, end, next.data() + row);
     });
 }
 
@@ -76,41 +81,41 @@ void sweep(Grid &u, const Grid &f, const Grid &isFree, int times)
         });
 }
 
-void computeResidual(Workers &workers, const Grid &u, const Grid &f, const Grid &isFree, Grid &r)
+void computeResidual(Workers &workers, const NodeSpans &nodes, const Grid &u, const Grid &f,
+                     const Grid &isFree, Grid &r)
 {
-    const int last = u.cells().z;
-    forEachInnerRow(workers, u, [&](std::size_t row) {
-        residualRow(u.data() + row, f.data() + row, u.strideX(), u.strideY(), last, r.data() + row);
-        clearHeld(isFree, row, last, r.data() + row);
+    nodes.forEach(workers, [&](int x, int y, int low, int end) {
+        const std::size_t row = u.index(x, y, 0);
+        residualSpan(u.data() + row, f.data() + row, u.strideX(), u.strideY(), low, end,
+                     r.data() + row);
+        clearHeld(isFree, row, low, end, r.data() + row);
     });
 }
 
 /// The weighted mean of a row and the eight around it, by the kernel (1, 2, 1) / 4 along x and y.
-void meanOfRows(const float *centre, std::ptrdiff_t sx, std::ptrdiff_t sy, int last,
+void meanOfRows(const float *centre, std::ptrdiff_t sx, std::ptrdiff_t sy, int low, int end,
                 float *__restrict mean)
 {
-    for (int z = 0; z <= last; ++z)
+    for (int z = low; z < end; ++z)
         mean[z] = 0.25F * centre[z] +
                   0.125F * (centre[z - sx] + centre[z + sx] + centre[z - sy] + centre[z + sy]) +
                   0.0625F * (centre[z - sx - sy] + centre[z - sx + sy] + centre[z + sx - sy] +
                              centre[z + sx + sy]);
 }
 
-/// Full weighting, times the squared ratio of the distances of the nodes.
-void restrictTo(Workers &workers, const Grid &fine, Grid &coarse)
+/// Full weighting, times the squared ratio of the distances of the nodes; at these nodes of the
+/// coarse grid.
+void restrictTo(Workers &workers, const Grid &fine, const NodeSpans &nodes, Grid &coarse)
 {
-    const int last = fine.cells().z;
-    forEachPlanes(workers, coarse, 1, coarse.cells().x - 1, [&](int first, int end) {
-        std::vector<float> mean(static_cast<std::size_t>(last) + 1);
-        for (int x = first; x < end; ++x)
-            for (int y = 1; y < coarse.cells().y; ++y) {
-                meanOfRows(fine.data() + fine.index(2 * x, 2 * y, 0), fine.strideX(),
-                           fine.strideY(), last, mean.data());
-                float *row = coarse.data() + coarse.index(x, y, 0);
-                const float *m = mean.data();
-                for (std::ptrdiff_t z = 1; z < coarse.cells().z; ++z)
-                    row[z] = m[2 * z - 1] + 2 * m[2 * z] + m[2 * z + 1];
-            }
+    nodes.forEach(workers, [&](int x, int y, int low, int end) {
+        thread_local std::vector<float> mean;
+        mean.resize(static_cast<std::size_t>(fine.cells().z) + 1);
+        meanOfRows(fine.data() + fine.index(2 * x, 2 * y, 0), fine.strideX(), fine.strideY(),
+                   2 * low - 1, 2 * end, mean.data());
+        float *row = coarse.data() + coarse.index(x, y, 0);
+        const float *m = mean.data();
+        for (std::ptrdiff_t z = low; z < end; ++z)
+            row[z] = m[2 * z - 1] + 2 * m[2 * z] + m[2 * z + 1];
     });
 }
 
@@ -140,7 +145,7 @@ void addProlonged(Workers &workers, const Grid &coarse, const Grid &isFree, Grid
             for (int y = 1; y < fine.cells().y; ++y) {
                 prolongRow(coarse, x, y, mean.data(), added.data());
                 const std::size_t row = fine.index(x, y, 0);
-                clearHeld(isFree, row, last, added.data());
+                clearHeld(isFree, row, 1, last, added.data());
                 const float *a = added.data();
                 float *__restrict v = fine.data() + row;
                 for (int z = 1; z < last; ++z)
@@ -174,7 +179,8 @@ void holdCoarser(const Grid &fine, Grid &coarse)
     forEachNode(coarse,
                 [&](int x, int y, int z) { coarse.at(x, y, z) = fine.at(2 * x, 2 * y, 2 * z); });
     forEachNode(fine, [&](int x, int y, int z) {
-        if (fine.at(x, y, z) != 0)
+        // Most held nodes are among others.
+        if (fine.at(x, y, z) != 0 || coarse.at(x / 2, y / 2, z / 2) == 0)
             return;
         bool isFelt = false;
         std::size_t highest = 0;
@@ -194,17 +200,43 @@ PoissonMultigrid::PoissonMultigrid(const GridSize &cells, Workers &workers) : wo
     GridSize size = cells;
     const auto canHalve = [](int n) { return n % 2 == 0 && n > coarsestCells; };
     while (true) {
-        levels_.push_back({Grid(size), Grid(size), Grid(size), {}});
+        levels_.emplace_back(size);
+        if (levels_.size() > 1) {
+            levels_.back().correction = Grid(size);
+            levels_.back().source = Grid(size);
+        }
         if (!canHalve(size.x) || !canHalve(size.y) || !canHalve(size.z))
             break;
         size = {size.x / 2, size.y / 2, size.z / 2};
     }
 }
 
+PoissonMultigrid::Level::Level(const GridSize &size)
+    : cells(size), scratch(size), relaxed(size), around(size), reached(size)
+{
+}
+
+void PoissonMultigrid::workAround(const NodeSpans &sources)
+{
+    NodeSpans reached = sources;
+    for (std::size_t level = 0; level + 1 < levels_.size(); ++level) {
+        Level &here = levels_[level];
+        Level &below = levels_[level + 1];
+        if (here.cells.resolution() < sparseCells)
+            return;
+        here.relaxed = std::move(reached);
+        here.around = here.relaxed.widened();
+        here.scratch.fill(0);
+        reached = here.around.halved();
+        below.reached = reached;
+        below.source.fill(0);
+    }
+}
+
 void PoissonMultigrid::hold(const std::vector<unsigned char> &isHeld)
 {
     for (Level &level : levels_)
-        level.isFree = Grid(level.source.cells());
+        level.isFree = Grid(level.cells);
     Grid &finest = levels_.front().isFree;
     for (std::size_t i = 0; i < isHeld.size(); ++i)
         finest[i] = isHeld[i] != 0 ? 0 : 1;
@@ -223,17 +255,18 @@ void PoissonMultigrid::cycle(Grid &u, const Grid &f, std::size_t level) const
     const Grid &isFree = levels_[level].isFree;
     if (level + 1 == levels_.size())
         return sweep(u, f, isFree, coarsestSweeps);
-    Grid &scratch = levels_[level].residual;
-    relax(*workers_, u, f, isFree, firstWeight, scratch);
-    relax(*workers_, scratch, f, isFree, secondWeight, u);
-    computeResidual(*workers_, u, f, isFree, scratch);
+    Level &here = levels_[level];
     Level &below = levels_[level + 1];
-    restrictTo(*workers_, scratch, below.source);
+    // The second step reads what the first has written one node further.
+    relax(*workers_, here.around, u, f, isFree, firstWeight, here.scratch);
+    relax(*workers_, here.relaxed, here.scratch, f, isFree, secondWeight, u);
+    computeResidual(*workers_, here.around, u, f, isFree, here.scratch);
+    restrictTo(*workers_, here.scratch, below.reached, below.source);
     below.correction.fill(0);
     cycle(below.correction, below.source, level + 1);
     addProlonged(*workers_, below.correction, isFree, u);
-    relax(*workers_, u, f, isFree, secondWeight, scratch);
-    relax(*workers_, scratch, f, isFree, firstWeight, u);
+    relax(*workers_, here.around, u, f, isFree, secondWeight, here.scratch);
+    relax(*workers_, here.relaxed, here.scratch, f, isFree, firstWeight, u);
 }
 
 } // namespace neuralmesh

@@ -6,6 +6,7 @@
 
 #include "core/parallel/workers.h"
 #include "core/shape/grid.h"
+#include "core/shape/node_spans.h"
 
 namespace neuralmesh {
 
@@ -21,6 +22,11 @@ public:
     /// Holds u at 0 where `isHeld` is not 0, beside the border. By node, as in Grid.
     void hold(const std::vector<unsigned char> &isHeld);
 
+    /// For sources f that are 0 but at these nodes: the fine grids of the multigrid are worked on
+    /// around them alone. Elsewhere u is smooth, and changes only by what the coarser grid
+    /// corrects, interpolated.
+    void workAround(const NodeSpans &sources);
+
     /// Improves `u`, which must be 0 where it is held, by V-cycles. Each leaves a fifth of the
     /// error; up to two thirds around held walls, lines and nodes that no coarser grid has nodes
     /// on.
@@ -28,10 +34,15 @@ public:
 
 private:
     struct Level {
-        Grid correction;
-        Grid source;
-        Grid residual;
-        Grid isFree; ///< 0 where a node is held, else 1; empty where none is
+        explicit Level(const GridSize &size);
+
+        GridSize cells;
+        Grid correction, source; ///< empty on the finest level
+        Grid scratch;            ///< 0 but at the nodes `around`
+        Grid isFree;             ///< 0 where a node is held, else 1; empty where none is
+        NodeSpans relaxed;
+        NodeSpans around;  ///< and the nodes beside them: what relaxing reads
+        NodeSpans reached; ///< by the residuals of the finer level: the source is 0 elsewhere
     };
 
     void cycle(Grid &u, const Grid &f, std::size_t level) const;

@@ -17,9 +17,19 @@ constexpr std::size_t pointsOfFirstGrid = 4000;
 
 /// Halvings of the grid over which the level of the points is spread, and the weight of what is
 /// known further away, in points.
-constexpr int levelHalvings = 2;
+constexpr std::size_t levelHalvings = 2;
 constexpr float weightOfFurther = 0.05F;
 constexpr int levelSmoothings = 2;
+
+/// Nodes that are relaxed beyond those that sources reach. Without, errors of what is interpolated
+/// around them part thin walls: a plate gets forty holes.
+constexpr int margin = 2;
+
+void sortUnique(std::vector<std::uint32_t> &numbers)
+{
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
 
 } // namespace
 
@@ -37,15 +47,14 @@ void WindingField::locate()
     source_ = Grid(field_.cells());
     change_ = Grid(field_.cells());
     places_.clear();
-    around_ = {{field_.cells().x, field_.cells().y, field_.cells().z}, {0, 0, 0}};
-    for (std::size_t i = 0; i < points_.size(); i += step_) {
+    for (std::size_t i = 0; i < points_.size(); i += step_)
         places_.push_back(placeInGrid(field_, points_[i]));
-        for (int axis = 0; axis < 3; ++axis) {
-            const int cell = static_cast<int>(points_[i][axis] * field_.resolution());
-            around_.low[axis] = std::min(around_.low[axis], cell);
-            around_.high[axis] = std::max(around_.high[axis], cell + 1);
-        }
-    }
+    cells_.clear();
+    for (const GridPlace &place : places_)
+        cells_.push_back(place.node);
+    sortUnique(cells_);
+    near_ = NodeSpans(field_.cells());
+    smoothings_ = 0;
 }
 
 /// Starts from the normals of a flat sheet. Its two sides are alike, and descent alone would choose
@@ -55,12 +64,7 @@ void WindingField::leanToThinnestAxis()
     const PrincipalAxes frame = principalAxes(points_);
     const Vector axis(static_cast<float>(frame.axes(0, 0)), static_cast<float>(frame.axes(1, 0)),
                       static_cast<float>(frame.axes(2, 0)));
-    std::vector<std::uint32_t> nodes;
-    for (const GridPlace &place : places_)
-        nodes.push_back(place.node);
-    std::sort(nodes.begin(), nodes.end());
-    const auto cells = std::unique(nodes.begin(), nodes.end()) - nodes.begin();
-    const float area = static_cast<float>(cells) / static_cast<float>(places_.size());
+    const float area = static_cast<float>(cells_.size()) / static_cast<float>(places_.size());
     normals_.assign(places_.size(), axis * area);
 }
 
@@ -99,23 +103,24 @@ template <class Visit> void WindingField::forEachPlace(const Visit &visit)
                           });
 }
 
-/// The inner nodes up to so many cells from the cells of points.
-NodeBox WindingField::nodesAround(int distance) const
+/// Where there are sources that are smoothed so many times.
+void WindingField::findNear(int smoothings)
 {
-    NodeBox box = innerNodes(field_);
-    for (int axis = 0; axis < 3; ++axis) {
-        box.low[axis] = std::max(box.low[axis], around_.low[axis] - distance);
-        box.high[axis] = std::min(box.high[axis], around_.high[axis] + distance);
-    }
-    return box;
+    if (smoothings == smoothings_)
+        return;
+    smoothings_ = smoothings;
+    fill(workers_, source_, near_, 0);
+    near_ = NodeSpans(field_.cells(), cells_, smoothings + reachOfDivergence + margin);
+    solver_.workAround(near_);
 }
 
 void WindingField::improve(int smoothings)
 {
-    source_.fill(0);
+    findNear(smoothings);
+    fill(workers_, source_, near_, 0);
     for (std::size_t i = 0; i < places_.size(); ++i)
         splatDivergence(source_, places_[i], normals_[i]);
-    smooth(workers_, source_, nodesAround(smoothings + 1), smoothings);
+    smooth(workers_, source_, near_, smoothings);
     solver_.solve(field_, source_, cyclesPerSolution);
     descend(smoothings);
     turnNormals();
@@ -125,19 +130,19 @@ void WindingField::improve(int smoothings)
 /// interpolate. The descent runs along its adjoint, step by step in reverse, of the residual.
 void WindingField::descend(int smoothings)
 {
-    source_.fill(0);
+    fill(workers_, source_, near_, 0);
     for (const GridPlace &place : places_)
         splat(source_, place, 0.5F - interpolate(field_, place));
     change_.fill(0);
     solver_.solve(change_, source_, cyclesPerSolution);
-    smooth(workers_, change_, nodesAround(smoothings + 1), smoothings);
+    smooth(workers_, change_, near_, smoothings);
     descent_.resize(places_.size());
     forEachPlace([&](std::size_t i) { descent_[i] = gradientAt(change_, places_[i]) * -1; });
 
-    source_.fill(0);
+    fill(workers_, source_, near_, 0);
     for (std::size_t i = 0; i < places_.size(); ++i)
         splatDivergence(source_, places_[i], descent_[i]);
-    smooth(workers_, source_, nodesAround(smoothings + 1), smoothings);
+    smooth(workers_, source_, near_, smoothings);
     change_.fill(0);
     solver_.solve(change_, source_, cyclesPerSolution);
     double along = 0;
@@ -190,30 +195,66 @@ void WindingField::holdOutside(const std::vector<unsigned char> &isOutside)
     for (std::size_t i = 0; i < field_.size(); ++i)
         if (isOutside[i] != 0)
             field_[i] = 0;
+    takeInBorders(isOutside);
 }
 
-Grid WindingField::levelOfPoints() const
+/// What is held ends abruptly, across a hole far from all points: there, the field is as little
+/// smooth as at sources.
+void WindingField::takeInBorders(const std::vector<unsigned char> &isHeld)
 {
-    std::vector<Grid> sums{Grid(field_.cells())};
-    std::vector<Grid> counts{Grid(field_.cells())};
+    const auto sx = static_cast<std::size_t>(field_.strideX());
+    const auto sy = static_cast<std::size_t>(field_.strideY());
+    const std::size_t known = cells_.size();
+    const NodeSpans far = near_.complement();
+    for (int x = 1; x < field_.cells().x; ++x)
+        for (int y = 1; y < field_.cells().y; ++y)
+            far.forEachInRow(x, y, [&](int low, int end) {
+                const std::size_t first = field_.index(x, y, low);
+                const std::size_t last = field_.index(x, y, end);
+                for (std::size_t i = first; i < last; ++i)
+                    if (isHeld[i] != isHeld[i + sx] || isHeld[i] != isHeld[i + sy] ||
+                        isHeld[i] != isHeld[i + 1])
+                        cells_.push_back(static_cast<std::uint32_t>(i));
+            });
+    if (cells_.size() == known)
+        return;
+    sortUnique(cells_);
+    smoothings_ = 0;
+}
+
+Grid WindingField::levelOfPoints()
+{
+    // Of the points around a node, their values and their number. Both are 0 far from all points,
+    // and the level that coarser grids know stays.
+    fill(workers_, source_, near_, 0);
+    fill(workers_, change_, near_, 0);
     for (const GridPlace &place : places_) {
-        splat(sums[0], place, interpolate(field_, place));
-        splat(counts[0], place, 1);
+        splat(source_, place, interpolate(field_, place));
+        splat(change_, place, 1);
     }
-    smooth(workers_, sums[0], nodesAround(levelSmoothings + 1), levelSmoothings);
-    smooth(workers_, counts[0], nodesAround(levelSmoothings + 1), levelSmoothings);
-    for (int i = 0; i < levelHalvings; ++i) {
+    smooth(workers_, source_, near_, levelSmoothings);
+    smooth(workers_, change_, near_, levelSmoothings);
+    std::vector<Grid> sums{halvedSums(source_, near_)};
+    std::vector<Grid> counts{halvedSums(change_, near_)};
+    while (sums.size() < levelHalvings) {
         sums.push_back(halvedSums(sums.back()));
         counts.push_back(halvedSums(counts.back()));
     }
     Grid level(sums.back().cells(), 0.5F);
-    for (std::size_t i = sums.size(); i-- > 0;) {
-        if (level.size() != sums[i].size())
-            level = doubled(level);
+    const auto improveAt = [&](std::size_t node, const Grid &sum, const Grid &count) {
+        level[node] = (sum[node] + weightOfFurther * level[node]) / (count[node] + weightOfFurther);
+    };
+    while (!sums.empty()) {
         for (std::size_t node = 0; node < level.size(); ++node)
-            level[node] = (sums[i][node] + weightOfFurther * level[node]) /
-                          (counts[i][node] + weightOfFurther);
+            improveAt(node, sums.back(), counts.back());
+        level = doubled(level);
+        sums.pop_back();
+        counts.pop_back();
     }
+    near_.forEach(workers_, [&](int x, int y, int low, int end) {
+        for (int z = low; z < end; ++z)
+            improveAt(level.index(x, y, z), source_, change_);
+    });
     return level;
 }
 

@@ -55,7 +55,7 @@ public:
     /// through the points around it, also where the grid is too coarse for the field to rise to
     /// 1 in a thin limb. Tends to 1/2 some cells away from all points. The cells along each axis
     /// must be multiples of 4.
-    Grid levelOfPoints() const;
+    Grid levelOfPoints();
 
 private:
     using Vector = vcg::Point3f;
@@ -64,7 +64,8 @@ private:
     template <class Visit> void forEachPlace(const Visit &visit);
     void locate();
     void leanToThinnestAxis();
-    NodeBox nodesAround(int distance) const;
+    void findNear(int smoothings);
+    void takeInBorders(const std::vector<unsigned char> &isHeld);
     void descend(int smoothings);
     void turnNormals();
 
@@ -77,8 +78,11 @@ private:
     std::vector<Vector> descent_;   ///< scratch
     PoissonMultigrid solver_;
     Grid field_;
-    Grid source_, change_; ///< scratch
-    NodeBox around_;       ///< nodes of the points' cells
+    Grid source_;                      ///< scratch; 0 but at the nodes that are near
+    Grid change_;                      ///< scratch
+    std::vector<std::uint32_t> cells_; ///< with points, or where the outside ends, by lowest node
+    NodeSpans near_;                   ///< to these cells: as far as sources reach
+    int smoothings_ = 0;               ///< of these sources; 0 before they are known
 };
 
 } // namespace neuralmesh

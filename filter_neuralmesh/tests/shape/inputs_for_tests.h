@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/shape/grid.h"
+#include "core/shape/node_spans.h"
 #include "neuralmesh/random.h"
 
 namespace neuralmesh::test {
@@ -56,6 +57,20 @@ inline Grid noise(const GridSize &cells, std::uint64_t seed, int margin = 0)
             grid.at(x, y, z) = static_cast<float>(2 * random.unit() - 1);
     });
     return grid;
+}
+
+/// By node, 1 for those of the spans and 0 for the others.
+inline std::vector<unsigned char> marked(const NodeSpans &nodes, const GridSize &cells)
+{
+    const Grid grid(cells);
+    std::vector<unsigned char> isIn(grid.size(), 0);
+    for (int x = 0; x <= cells.x; ++x)
+        for (int y = 0; y <= cells.y; ++y)
+            nodes.forEachInRow(x, y, [&](int low, int end) {
+                for (int z = low; z < end; ++z)
+                    ++isIn[grid.index(x, y, z)];
+            });
+    return isIn;
 }
 
 /// Of the values at all nodes, in double precision.

@@ -36,6 +36,23 @@ TEST(CoarseShape, of_a_thin_plate_is_no_sheet)
     expectShape(plate(), 1, 0);
 }
 
+TEST(CoarseShape, of_both_sides_of_a_plate_has_no_holes)
+{
+    // Two and a half cells of the third grid thick; its edges have no points.
+    Random random(1);
+    test::Points sides;
+    for (int i = 0; i < 20000; ++i) {
+        const double x = random.unit();
+        const double y = random.unit();
+        sides.emplace_back(x, y, i % 2 == 0 ? 0 : 0.02);
+    }
+    NeuralMesh mesh;
+    const CoarseShape shape = test::shapeOf(sides, mesh);
+    EXPECT_TRUE(shape.isTrusted);
+    EXPECT_EQ(shape.components, 1);
+    EXPECT_EQ(shape.genus, 0);
+}
+
 /// The inside and the outside of a vase, an ellipsoid of half-axes 1, 1 and `height`, and its brim
 /// around a round mouth on top.
 test::Points vase(std::size_t count, double height, double thickness, double mouth)

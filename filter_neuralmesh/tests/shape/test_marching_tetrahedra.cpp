@@ -131,7 +131,7 @@ TEST(MarchingTetrahedra, makes_a_closed_manifold_of_any_field)
             for (std::size_t i = 0; i < f.size(); ++i)
                 f[i] = std::round(1.5F * f[i]);
         if (seed % 3 == 1)
-            smooth(alone, f, innerNodes(f), 1);
+            smooth(alone, f, NodeSpans(f.cells()), 1);
         test::forEachNode(f, [&](int x, int y, int z) {
             if (!test::isInner(f, x, y, z))
                 f.at(x, y, z) = -1;

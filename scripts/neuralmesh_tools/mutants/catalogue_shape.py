@@ -130,6 +130,25 @@ SHAPE: tuple[Mutant, ...] = (
         ),
     ),
     Mutant(
+        "sources-at-points-alone",
+        "the nodes near points are all that their sources reach",
+        _WINDING,
+        "cells_, smoothings + reachOfDivergence + margin)",
+        "cells_, reachOfDivergence)",
+        (
+            "WindingField.settles_and_does_not_swing_from_round_to_round",
+            "WindingField.keeps_what_it_has_learned_on_a_finer_grid",
+        ),
+    ),
+    Mutant(
+        "ends-of-the-outside-far",
+        "a fine grid is worked on where the outside ends far from all points",
+        _WINDING,
+        "    takeInBorders(isOutside);",
+        "",
+        ("WindingField.is_smooth_beside_an_outside_that_ends_far_from_all_points",),
+    ),
+    Mutant(
         "pockets-stay-inside",
         "a pocket behind a large membrane is outside",
         _FLOOD,
@@ -337,6 +356,14 @@ SHAPE: tuple[Mutant, ...] = (
         " || 2 * spacing() > widestSpacing[grid_ + 1]",
         "",
         ("CoarseShape.leaves_out_parts_that_are_of_a_few_stray_points",),
+    ),
+    Mutant(
+        "spans-without-margin",
+        "nodes are relaxed beyond those that sources reach",
+        _WINDING,
+        "reachOfDivergence + margin",
+        "reachOfDivergence + 0 * margin",
+        ("CoarseShape.of_both_sides_of_a_plate_has_no_holes",),
     ),
     Mutant(
         "inner-sides-keep-their-normals",
