@@ -10,7 +10,7 @@ namespace neuralmesh {
 namespace {
 
 /// Points around which heights are looked at, and the fewest and the most of them there.
-constexpr std::size_t places = 200;
+constexpr std::size_t places = 100;
 constexpr std::size_t fewestAround = 20;
 constexpr std::size_t mostAround = 300;
 
@@ -99,6 +99,8 @@ bool haveTwoSides(const PointIndex &index, double radius, double leastThickness)
         ++looked;
         if (Peaks(heights(fewOf(around), radius)).areTwo(around.size(), radius, leastThickness))
             ++walls;
+        else if (2 * (looked - walls) > places)
+            return false;
     }
     return 2 * walls > looked;
 }
