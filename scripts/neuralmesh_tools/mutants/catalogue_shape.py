@@ -116,7 +116,7 @@ SHAPE: tuple[Mutant, ...] = (
         _SHAPE,
         "        field_.holdOutside(flood.outside());",
         "",
-        ("CoarseShape.of_a_thin_plate_is_no_sheet",),
+        ("CoarseShape.leaves_out_parts_that_are_of_a_few_stray_points",),
     ),
     Mutant(
         "walls-not-felt",
