@@ -75,19 +75,17 @@ class Reservoir:
 
     def add(self, chunk: Chunk) -> None:
         """Add points."""
-        numbers = self._random.random(len(chunk.points)) if self._most else None
-        self._has_colours |= chunk.colours is not None
-        colours = chunk.colours
-        if colours is None:
-            colours = np.full((len(chunk.points), 3), 255, np.uint8)
-        self.total += len(chunk.points)
+        points, colours = chunk.points, chunk.colours
+        self._has_colours |= colours is not None
+        self.total += len(points)
         self.left_out += chunk.left_out
-        points = chunk.points
-        if numbers is None:
-            numbers = np.zeros(len(points))
-        elif self._threshold < 1:
-            chosen = numbers < self._threshold
-            points, colours, numbers = points[chosen], colours[chosen], numbers[chosen]
+        numbers = self._random.random(len(points)) if self._most else np.zeros(len(points))
+        if self._threshold < 1:
+            chosen = np.flatnonzero(numbers < self._threshold)
+            points, numbers = points[chosen], numbers[chosen]
+            colours = None if colours is None else colours[chosen]
+        if colours is None:
+            colours = np.full((len(points), 3), 255, np.uint8)
         self._kept.append((points, colours, numbers))
         self._count += len(points)
         if self._most and self._count > 2 * self._most:
@@ -99,18 +97,16 @@ class Reservoir:
             self._shrink()
         if not self._kept:
             return Cloud(np.empty((0, 3)))
-        points, colours, _ = self._merged()
+        points, colours, _ = map(np.concatenate, zip(*self._kept, strict=True))
+        self._kept = []
         return Cloud(points, colours if self._has_colours else None, total=self.total)
-
-    def _merged(self) -> tuple[NDArray[Any], ...]:
-        if len(self._kept) > 1:
-            self._kept = [tuple(map(np.concatenate, zip(*self._kept, strict=True)))]
-        return self._kept[0]
 
     def _shrink(self) -> None:
         assert self._most is not None
-        points, colours, numbers = self._merged()
+        numbers = np.concatenate([numbers for *_, numbers in self._kept])
         self._threshold = float(np.partition(numbers, self._most)[self._most])
-        stays = numbers < self._threshold
-        self._kept = [(points[stays], colours[stays], numbers[stays])]
-        self._count = int(stays.sum())
+        # Piece by piece: all at once would be in memory twice.
+        for i, (*_, numbers) in enumerate(self._kept):
+            stays = np.flatnonzero(numbers < self._threshold)
+            self._kept[i] = tuple(part[stays] for part in self._kept[i])
+        self._count = sum(len(numbers) for *_, numbers in self._kept)
