@@ -217,11 +217,9 @@ private:
         return measureSupport(reading.surface().soup, index_, supportRadii(reading.cells));
     }
 
-    /// Of which the third grid sees both sides.
     bool areWallsThin() const
     {
-        const double spacingThere = spacing() * (1 << wallGrid);
-        return !isSheet_ && spacingThere <= widestSpacing[wallGrid] &&
+        return !isSheet_ &&
                haveTwoSides(index_, wallsInCells / firstCells, thinnestPlate / usualCells);
     }
 

@@ -75,5 +75,22 @@ TEST(CoarseShape, is_not_of_a_grid_whose_levels_noise_and_strays_part)
     expectSlitsOnGrid(64, slitBar(5, 10000, 0.75, 600));
 }
 
+/// Points all over a cube, of which no surface explains more than a few: rounds more on the second
+/// grid lead to two hundred handles, and are taken back.
+TEST(CoarseShape, of_a_solid_cube_has_no_handles)
+{
+    Random random(1);
+    test::Points points;
+    for (int i = 0; i < 20000; ++i) {
+        const double x = random.unit();
+        const double y = random.unit();
+        points.emplace_back(x, y, random.unit());
+    }
+    NeuralMesh mesh;
+    const CoarseShape shape = test::shapeOf(points, mesh);
+    EXPECT_EQ(shape.components, 1);
+    EXPECT_EQ(shape.genus, 0);
+}
+
 } // namespace
 } // namespace neuralmesh

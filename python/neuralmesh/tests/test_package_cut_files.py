@@ -126,26 +126,24 @@ def test_what_a_library_says_of_damage_is_never_shown(
         assert len(found) == 300
 
 
-def test_a_damaged_e57_is_told_by_its_checksums(
-    cloud: tuple[Points, Colours], tmp_path: Path
+@pytest.mark.parametrize(
+    ("write", "damaged_byte", "sentence"),
+    [(e57, 200, "E57"), (npz, 3000, "NumPy's")],  # of npz, a coordinate
+)
+def test_damage_is_told_by_the_checksums_of_a_format(
+    write: Callable[[Path, Points, Colours], None],
+    damaged_byte: int,
+    sentence: str,
+    cloud: tuple[Points, Colours],
+    tmp_path: Path,
 ) -> None:
-    e57(tmp_path / "a.e57", *cloud)
-    content = bytearray((tmp_path / "a.e57").read_bytes())
-    content[200] ^= 1
-    (tmp_path / "a.e57").write_bytes(content)
-    with pytest.raises(ValueError, match=r"a\.e57': it is broken, or its content is not E57\.$"):
-        neuralmesh.read(tmp_path / "a.e57")
-
-
-def test_a_damaged_npz_is_told_by_its_checksums(
-    cloud: tuple[Points, Colours], tmp_path: Path
-) -> None:
-    npz(tmp_path / "a.npz", *cloud)
-    content = bytearray((tmp_path / "a.npz").read_bytes())
-    content[3000] ^= 1  # a coordinate
-    (tmp_path / "a.npz").write_bytes(content)
-    with pytest.raises(ValueError, match=r"a\.npz': it is broken, or its content is not NumPy's"):
-        neuralmesh.read(tmp_path / "a.npz")
+    path = tmp_path / f"a.{write.__name__}"
+    write(path, *cloud)
+    content = bytearray(path.read_bytes())
+    content[damaged_byte] ^= 1
+    path.write_bytes(content)
+    with pytest.raises(ValueError, match=rf"': it is broken, or its content is not {sentence}"):
+        neuralmesh.read(path)
 
 
 def test_of_a_gltf_a_file_beside_it_that_is_cut_is_named(

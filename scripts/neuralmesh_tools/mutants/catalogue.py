@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 from neuralmesh_tools.mutants.catalogue_closing import CLOSING
+from neuralmesh_tools.mutants.catalogue_field import FIELD
 from neuralmesh_tools.mutants.catalogue_growth import GROWTH
 from neuralmesh_tools.mutants.catalogue_samplers import SAMPLERS
 from neuralmesh_tools.mutants.catalogue_shape import SHAPE
 from neuralmesh_tools.mutants.mutant import Mutant
 
-MUTANTS: tuple[Mutant, ...] = GROWTH + SHAPE + CLOSING + SAMPLERS
+MUTANTS: tuple[Mutant, ...] = GROWTH + FIELD + SHAPE + CLOSING + SAMPLERS
