@@ -8,29 +8,19 @@
 
 #include <vcg/space/index/kdtree/kdtree.h>
 
+#include "core/space/spacing_spread.h"
+
 namespace neuralmesh {
 namespace {
 
-/// Neighbours whose disc tells the density, and points at which it is looked at.
-constexpr int neighbours = 8;
+/// Points at which the spacing is looked at.
 constexpr std::size_t pilots = 4000;
 
-/// The spacing at the sparse end and at the dense one: of so many in ten pilots each.
-constexpr double sparseTenth = 0.9;
-constexpr double denseTenth = 0.1;
-
-/// Points are uneven from this ratio of the two: that of a uniform random sample is 1.6.
-constexpr double leastRatio = 2;
-
-struct Spacings {
-    double dense = 0, sparse = 0;
-};
-
-Spacings spacingsOf(std::vector<Point3> distinct)
+SpacingSpread spacingsOf(std::vector<Point3> distinct)
 {
     std::sort(distinct.begin(), distinct.end());
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    if (distinct.size() <= neighbours)
+    if (distinct.size() <= neighboursOfSpacing)
         return {};
     vcg::KdTree<Scalar> tree(
         vcg::ConstDataWrapper<Point3>(distinct.data(), static_cast<int>(distinct.size())));
@@ -38,27 +28,21 @@ Spacings spacingsOf(std::vector<Point3> distinct)
     std::vector<double> spacings;
     const std::size_t step = (distinct.size() - 1) / pilots + 1;
     for (std::size_t i = 0; i < distinct.size(); i += step) {
-        tree.doQueryK(distinct[i], neighbours + 1, nearest);
+        tree.doQueryK(distinct[i], neighboursOfSpacing + 1, nearest);
         double squared = 0;
         for (int k = 0; k < nearest.getNofElements(); ++k)
             squared = std::max(squared, static_cast<double>(nearest.getWeight(k)));
-        spacings.push_back(std::sqrt(M_PI * squared / neighbours));
+        spacings.push_back(std::sqrt(M_PI * squared / neighboursOfSpacing));
     }
-    const auto at = [&](double share) {
-        const auto place = spacings.begin() + static_cast<std::ptrdiff_t>(
-                                                  share * static_cast<double>(spacings.size() - 1));
-        std::nth_element(spacings.begin(), place, spacings.end());
-        return *place;
-    };
-    return {at(denseTenth), at(sparseTenth)};
+    return spreadOf(spacings);
 }
 
 } // namespace
 
 std::vector<Point3> withEvenDensity(const std::vector<Point3> &points)
 {
-    const Spacings spacings = spacingsOf(points);
-    if (!(spacings.sparse > leastRatio * spacings.dense))
+    const SpacingSpread spacings = spacingsOf(points);
+    if (!spacings.isUneven())
         return points;
     // The first point in each cube of that size stays.
     std::set<std::array<long, 3>> taken;

@@ -45,7 +45,8 @@ public:
 
     /// One sample of each stratum into `samples` (stratified sampling): each is distributed as
     /// those of draw() where a stratum is drawn at random, and all together lie on P more evenly. A
-    /// space that has no strata draws independent ones.
+    /// space that has no strata draws independent ones. Of points of uneven density, those far from
+    /// others are drawn more often, so that the crowded ones do not have all samples.
     virtual void drawStratified(Random &random, const Strata &strata,
                                 std::vector<Point> &samples) const
     {

@@ -9,6 +9,7 @@
 #include "samplers/files/point_file_format.h"
 #include "samplers/files/point_survey.h"
 #include "samplers/input_checks.h"
+#include "samplers/points/density_weights.h"
 #include "samplers/points/distinct_points.h"
 
 namespace neuralmesh {
@@ -83,9 +84,10 @@ try : path_(path), file_(path), records_(file_.bytes(), readPointLayout(file_.by
         if (isToBeDrawn(point))
             kept.push_back(toUnit(frame_, point));
     isFlat_ = neuralmesh::isFlat(kept, left_.count);
-    order_ = OrderOfPoints(records_.count(), bounds(), [&](std::size_t i) {
-        return frame_.toUnit(toPlain(records_.point(i)));
-    });
+    const auto pointAt = [&](std::uint64_t i) { return frame_.toUnit(toPlain(records_.point(i))); };
+    order_ = OrderOfPoints(records_.count(), bounds(), pointAt);
+    order_.weigh(
+        weightsByDensity(order_.count(), [&](std::uint64_t i) { return pointAt(order_.at(i)); }));
     if (file_.hasChanged())
         throw InvalidInput(changed);
 } catch (const InvalidInput &problem) {

@@ -135,13 +135,13 @@ void OutlierFilter::learn(bool isWhole)
     }
     for (const Point3 &point : pilot_)
         isAlone_.push_back(isAlone(point));
-    findSparseParts();
+    findSparseParts(tree);
     findSmallGroups();
 }
 
 /// Among those alone, but for strays off a surface: many of these, at one distance, would be one
 /// themselves.
-void OutlierFilter::findSparseParts()
+void OutlierFilter::findSparseParts(PilotTree &all)
 {
     std::vector<std::size_t> indices;
     std::vector<Point3> alone;
@@ -150,7 +150,7 @@ void OutlierFilter::findSparseParts()
             indices.push_back(i);
             alone.push_back(pilot_[i]);
         }
-    const std::vector<double> reaches = reachesInSparseParts(alone);
+    const std::vector<double> reaches = reachesInSparseParts(alone, all);
     reaches_.assign(pilot_.size(), 0);
     for (std::size_t i = 0; i < indices.size(); ++i)
         reaches_[indices[i]] = reaches[i];

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/space/point_statistics.h"
+
 namespace neuralmesh {
 
 PilotTree::PilotTree(const std::vector<Point3> &points)
@@ -28,6 +30,29 @@ std::vector<double> PilotTree::distances(int k)
     for (const Point3 &point : points_)
         found.push_back(distance(point, k));
     return found;
+}
+
+std::vector<double> PilotTree::usualDistances(int k)
+{
+    std::vector<double> distances;
+    std::vector<std::size_t> nearest; // of one point after the other, with itself
+    std::vector<std::size_t> ends;
+    for (const Point3 &point : points_) {
+        distances.push_back(distance(point, k)); // what it found is in the queue
+        for (int i = 0; i < queue_.getNofElements(); ++i)
+            nearest.push_back(static_cast<std::size_t>(queue_.getIndex(i)));
+        ends.push_back(nearest.size());
+    }
+    std::vector<double> usual;
+    std::vector<double> around;
+    std::size_t next = 0;
+    for (const std::size_t end : ends) {
+        around.clear();
+        for (; next < end; ++next)
+            around.push_back(distances[nearest[next]]);
+        usual.push_back(median(around));
+    }
+    return usual;
 }
 
 std::vector<std::size_t> PilotTree::neighbours(std::size_t index, int k)

@@ -21,6 +21,10 @@ public:
     /// The same for all of them.
     std::vector<double> distances(int k);
 
+    /// The same, but of each point the median of its own and those of its k nearest neighbours: a
+    /// stray has the spacing of the part that it is near to.
+    std::vector<double> usualDistances(int k);
+
     /// The k nearest others of a point.
     std::vector<std::size_t> neighbours(std::size_t index, int k);
 

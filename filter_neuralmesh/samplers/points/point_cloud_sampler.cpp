@@ -9,6 +9,7 @@
 #include "core/portability.h"
 #include "neuralmesh/errors.h"
 #include "samplers/input_checks.h"
+#include "samplers/points/density_weights.h"
 #include "samplers/points/distinct_points.h"
 #include "samplers/points/outlier_filter.h"
 
@@ -32,33 +33,43 @@ std::vector<bool> withDensity(const std::vector<double> &density)
     return isKept;
 }
 
-/// Of the places where points are, where these are few enough to be compared.
-OutlierFilter filterOf(const std::vector<Point> &world)
-{
-    if (world.size() > mostPointsJudged)
-        return {pilotOf(world.size(), [&](std::uint64_t i) { return toVcg(world[i]); }), false};
-    std::vector<Point3> places;
-    DistinctPoints seen(world.size());
-    for (const Point &point : world)
-        if (seen.insert(toVcg(point)))
-            places.push_back(toVcg(point));
-    return OutlierFilter(places);
-}
+/// Which points are to be drawn, and how many of the others are outliers.
+struct Choice {
+    std::vector<bool> isKept;
+    std::size_t outliers = 0;
+};
 
-std::vector<bool> withoutOutliers(const std::vector<Point> &world)
+/// Points at the very same place are one, where they are few enough to be compared: returns that
+/// are stored a thousand times would have as many vertices as a thousand others.
+Choice withoutOutliers(const std::vector<Point> &world)
 {
-    const OutlierFilter filter = filterOf(world);
-    std::vector<bool> isKept(world.size(), true);
+    const bool areCompared = world.size() <= mostPointsJudged;
+    std::vector<Point3> places;
+    Choice choice{std::vector<bool>(world.size(), true)};
+    if (areCompared) {
+        DistinctPoints seen(world.size());
+        for (std::size_t i = 0; i < world.size(); ++i)
+            if ((choice.isKept[i] = seen.insert(toVcg(world[i]))))
+                places.push_back(toVcg(world[i]));
+    }
+    const OutlierFilter filter =
+        areCompared
+            ? OutlierFilter(places)
+            : OutlierFilter(pilotOf(world.size(), [&](std::uint64_t i) { return toVcg(world[i]); }),
+                            false);
     if (!filter.isActive())
-        return isKept;
+        return choice;
     const bool isWithin = std::all_of(world.begin(), world.end(), [&](const Point &point) {
         return filter.bounds().IsIn(toVcg(point));
     });
-    if (world.size() > mostPointsJudged && isWithin && !(filter.share() > 0))
-        return isKept;
+    if (!areCompared && isWithin && !(filter.share() > 0))
+        return choice;
     for (std::size_t i = 0; i < world.size(); ++i)
-        isKept[i] = !filter.isOutlier(toVcg(world[i]));
-    return isKept;
+        if (filter.isOutlier(toVcg(world[i]))) {
+            choice.isKept[i] = false;
+            ++choice.outliers;
+        }
+    return choice;
 }
 
 } // namespace
@@ -69,22 +80,33 @@ PointCloudSampler::PointCloudSampler(std::vector<Point> world, const std::vector
         throw InvalidInput("There are no points to reconstruct a surface from.");
     const std::vector<double> density = densityShares(given, world.size());
     requireFinite(world);
-    const std::vector<bool> isKept =
-        density.empty() ? withoutOutliers(world) : withDensity(density);
-    keep(std::move(world), isKept);
-    std::vector<double> weights;
-    if (density.empty()) {
-        outliers_.count = isKept.size() - points_.size();
-        outliers_.share = static_cast<double>(outliers_.count) / static_cast<double>(isKept.size());
-    } else {
-        std::copy_if(density.begin(), density.end(), std::back_inserter(weights),
-                     [](double value) { return value > 0; });
-        byDensity_.emplace(weights);
-    }
+    const Choice choice = density.empty() ? withoutOutliers(world) : Choice{withDensity(density)};
+    outliers_.count = choice.outliers;
+    outliers_.share =
+        static_cast<double>(choice.outliers) / static_cast<double>(choice.isKept.size());
+    keep(std::move(world), choice.isKept);
     requireFourPoints(countDistinctPoints(4));
-    const auto pointAt = [&](std::size_t i) { return points_[i]; };
-    order_ = OrderOfPoints(points_.size(), bounds(), pointAt, weights);
+    order_ = OrderOfPoints(points_.size(), bounds(), [&](std::size_t i) { return points_[i]; });
+    if (density.empty())
+        order_.weigh(weightsByDensity(
+            points_.size(), [&](std::uint64_t place) { return points_[order_.at(place)]; }));
+    else
+        weighBy(density);
     isFlat_ = neuralmesh::isFlat(points_, outliers_.count);
+}
+
+/// By densities of all points that were given; those of density 0 were not kept.
+void PointCloudSampler::weighBy(const std::vector<double> &density)
+{
+    std::vector<double> weights;
+    std::copy_if(density.begin(), density.end(), std::back_inserter(weights),
+                 [](double value) { return value > 0; });
+    byDensity_.emplace(weights);
+    std::vector<double> inOrder;
+    inOrder.reserve(weights.size());
+    for (std::size_t place = 0; place < weights.size(); ++place)
+        inOrder.push_back(weights[order_.at(place)]);
+    order_.weigh(inOrder);
 }
 
 /// Frame and bounds are those of the points that are kept: others may lie so far off that these are

@@ -12,7 +12,8 @@
 namespace neuralmesh {
 
 /// A point cloud as target space: every point with the same probability (equation 1), but for
-/// outliers, which are not drawn and do not count for the bounds; or in proportion to a density.
+/// outliers, which are not drawn and do not count for the bounds; or in proportion to a density. Of
+/// strata, points are drawn as density_weights.h says.
 class PointCloudSampler : public Sampler {
 public:
     /// Takes points in world coordinates, and their memory where they are moved. Throws
@@ -28,7 +29,7 @@ public:
     Box bounds() const override { return toPlain(bounds_); }
     bool isFlat() const override { return isFlat_; }
     void draw(Random &random, std::size_t count, std::vector<Point> &samples) const override;
-    /// Strata are of points that are near each other.
+    /// Strata are of points that are near each other and weigh the same together.
     void drawStratified(Random &random, const Strata &strata,
                         std::vector<Point> &samples) const override;
     std::size_t pointCount() const override { return points_.size(); }
@@ -38,6 +39,7 @@ public:
 
 private:
     void keep(std::vector<Point> world, const std::vector<bool> &isKept);
+    void weighBy(const std::vector<double> &density);
     template <class NextIndex> void gather(std::vector<Point> &samples, NextIndex nextIndex) const;
     std::size_t drawIndex(Random &random) const;
 

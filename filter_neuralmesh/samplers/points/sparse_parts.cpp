@@ -76,17 +76,16 @@ std::vector<bool> inParts(const std::vector<Point3> &alone, PilotTree &tree,
 
 } // namespace
 
-std::vector<double> reachesInSparseParts(const std::vector<Point3> &alone)
+std::vector<double> reachesInSparseParts(const std::vector<Point3> &alone, PilotTree &all)
 {
     std::vector<double> reaches(alone.size(), 0);
     if (alone.size() <= directions)
         return reaches;
     PilotTree tree(alone);
-    const std::vector<double> distances = tree.distances(directions);
-    const std::vector<bool> isInPart = inParts(alone, tree, distances);
+    const std::vector<bool> isInPart = inParts(alone, tree, tree.distances(directions));
     for (std::size_t i = 0; i < alone.size(); ++i)
         if (isInPart[i])
-            reaches[i] = mostSpacingRatio * distances[i];
+            reaches[i] = mostSpacingRatio * all.distance(alone[i], directions);
     return reaches;
 }
 

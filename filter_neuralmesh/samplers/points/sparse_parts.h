@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
+#include "samplers/points/pilot_tree.h"
 
 namespace neuralmesh {
 
@@ -16,6 +17,9 @@ namespace neuralmesh {
 /// these for a line or a plane. One point may be in a plane with its neighbours by chance, and a
 /// few neighbours: most of these, and of theirs, have to be so as well. Of up to eight points there
 /// is no telling; they are strays.
-std::vector<double> reachesInSparseParts(const std::vector<Point3> &alone);
+///
+/// Others are at the spacing of all points, of which those that stand alone are a part: the border
+/// of a dense surface has some, far from each other.
+std::vector<double> reachesInSparseParts(const std::vector<Point3> &alone, PilotTree &all);
 
 } // namespace neuralmesh

@@ -259,6 +259,21 @@ TEST(OutlierFilter, keeps_sparse_returns_of_the_same_ground_among_strays)
     EXPECT_LT(outliersAfter(0, points) - strays, 10U);
 }
 
+TEST(OutlierFilter, the_border_of_a_floor_is_no_sparse_part)
+{
+    // Spikes of the border stand alone, and each other's neighbours among those that do are far:
+    // no reason to keep strays that are as far from them.
+    std::vector<Point3> points = floorOf(60000, 10);
+    for (int i = 0; i < 120; ++i)
+        points.emplace_back(i / 12.0, -0.22, 0);
+    const std::size_t strays = points.size();
+    Random random(8);
+    for (int i = 0; i < 60; ++i)
+        points.emplace_back(10 * random.unit(), -4 * random.unit(), 0.7 + 4 * random.unit());
+    EXPECT_EQ(outliersAfter(strays, points), 60U);
+    EXPECT_LT(outliersAfter(0, points), 65U);
+}
+
 TEST(OutlierFilter, keeps_a_wire_far_above_a_floor)
 {
     std::vector<Point3> points = floorOf(10000, 10);

@@ -66,6 +66,45 @@ TEST(PointCloudSampler, draws_each_point_once_of_as_many_strata_as_points)
         EXPECT_LE(times, 2);
 }
 
+TEST(PointCloudSampler, points_at_one_place_are_one)
+{
+    const Points points = test::spherePoints(1000, 1);
+    Points repeated = points;
+    repeated.insert(repeated.end(), 700, points[3]);
+    repeated.insert(repeated.begin(), points[5]);
+    const PointCloudSampler sampler(repeated);
+    EXPECT_EQ(sampler.pointCount(), 1000U);
+    EXPECT_EQ(sampler.outliers().count, 0U);
+    for (const int times : timesDrawn(sampler, points, 1000))
+        EXPECT_EQ(times, 1);
+}
+
+TEST(PointCloudSampler, sparse_points_are_drawn_more_often_where_the_density_varies)
+{
+    // 60,000 points at x < 1, and of three fifths of that area a sixteenth of their density. The
+    // spacing is four times as wide there: each is drawn 4^(2/3) times as often.
+    Points points;
+    Random random(1);
+    for (int i = 0; i < 60000; ++i)
+        points.emplace_back(random.unit(), random.unit(), 0);
+    for (int i = 0; i < 15000; ++i)
+        points.emplace_back(1 + 4 * random.unit(), random.unit(), 0);
+    const PointCloudSampler sampler(points);
+    std::vector<Point> drawn;
+    const auto shareOfSparse = [&] {
+        double sparse = 0;
+        for (const Point &p : drawn)
+            sparse += sampler.frame().toWorld(p)[0] > 1 ? 1 : 0;
+        return sparse / static_cast<double>(drawn.size());
+    };
+    sampler.drawStratified(random, {20000, 0, 20000}, drawn);
+    const double sparse = 15000 * std::pow(4, 2.0 / 3);
+    EXPECT_NEAR(shareOfSparse(), sparse / (sparse + 60000), 0.02);
+    // Independent samples are by equation 1: errors are those of all points alike.
+    sampler.draw(random, 20000, drawn);
+    EXPECT_NEAR(shareOfSparse(), 0.2, 0.02);
+}
+
 TEST(PointCloudSampler, every_point_of_a_stratum_is_as_likely)
 {
     const PointCloudSampler sampler(tetrahedron);

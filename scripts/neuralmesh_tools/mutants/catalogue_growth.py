@@ -39,8 +39,8 @@ GROWTH: tuple[Mutant, ...] = (
         "strata-without-density",
         "strata weigh the same where points have a density",
         "samplers/points/point_cloud_sampler.cpp",
-        "pointAt, weights)",
-        "pointAt)",
+        "        weighBy(density);",
+        "        {}",
         ("PointCloudSampler.strata_have_the_same_share_of_the_density",),
     ),
     Mutant(
