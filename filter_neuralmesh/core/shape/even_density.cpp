@@ -6,51 +6,40 @@
 #include <cmath>
 #include <set>
 
-#include <vcg/space/index/kdtree/kdtree.h>
-
 #include "core/space/spacing_spread.h"
 
 namespace neuralmesh {
 namespace {
 
-/// Points at which the spacing is looked at.
-constexpr std::size_t pilots = 4000;
+/// The side of the square that a point stands for, by the distance to that neighbour of it: the
+/// disc up to there has the area of so many.
+const double sideOfDistance = std::sqrt(M_PI / neighbourOfSpacing);
 
-SpacingSpread spacingsOf(std::vector<Point3> distinct)
+std::vector<Point3> sortedPlaces(std::vector<Point3> points)
 {
-    std::sort(distinct.begin(), distinct.end());
-    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    if (distinct.size() <= neighboursOfSpacing)
-        return {};
-    vcg::KdTree<Scalar> tree(
-        vcg::ConstDataWrapper<Point3>(distinct.data(), static_cast<int>(distinct.size())));
-    vcg::KdTree<Scalar>::PriorityQueue nearest;
-    std::vector<double> spacings;
-    const std::size_t step = (distinct.size() - 1) / pilots + 1;
-    for (std::size_t i = 0; i < distinct.size(); i += step) {
-        tree.doQueryK(distinct[i], neighboursOfSpacing + 1, nearest);
-        double squared = 0;
-        for (int k = 0; k < nearest.getNofElements(); ++k)
-            squared = std::max(squared, static_cast<double>(nearest.getWeight(k)));
-        spacings.push_back(std::sqrt(M_PI * squared / neighboursOfSpacing));
-    }
-    return spreadOf(spacings);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
 }
 
 } // namespace
 
 std::vector<Point3> withEvenDensity(const std::vector<Point3> &points)
 {
-    const SpacingSpread spacings = spacingsOf(points);
+    const std::vector<Point3> places = sortedPlaces(points);
+    if (places.size() <= neighbourOfSpacing)
+        return points;
+    PointTree tree(places);
+    const SpacingSpread spacings = spacingSpread(places, tree);
     if (!spacings.isUneven())
         return points;
+    const double side = sideOfDistance * spacings.sparse;
     // The first point in each cube of that size stays.
     std::set<std::array<long, 3>> taken;
     std::vector<Point3> kept;
     for (const Point3 &p : points) {
-        const std::array<long, 3> cube{std::lround(p.X() / spacings.sparse),
-                                       std::lround(p.Y() / spacings.sparse),
-                                       std::lround(p.Z() / spacings.sparse)};
+        const std::array<long, 3> cube{std::lround(p.X() / side), std::lround(p.Y() / side),
+                                       std::lround(p.Z() / side)};
         if (taken.insert(cube).second)
             kept.push_back(p);
     }

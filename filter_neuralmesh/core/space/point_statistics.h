@@ -28,15 +28,6 @@ inline double median(std::vector<double> values)
     return *middle;
 }
 
-/// The value than which so large a share of the others is less. Requires at least one.
-inline double quantile(std::vector<double> values, double share)
-{
-    const auto place = values.begin() +
-                       static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-}
-
 struct PrincipalAxes {
     Eigen::Vector3d mean;
     Eigen::Matrix3d axes;      ///< unit columns

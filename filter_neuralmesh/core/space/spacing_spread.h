@@ -1,33 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether points are much further apart in one place than in another.
+// How far apart points are, and whether much further in one place than in another.
 #pragma once
 
 #include <vector>
 
-#include "core/space/point_statistics.h"
+#include "core/mesh/neural_mesh.h"
+#include "core/space/point_tree.h"
 
 namespace neuralmesh {
 
-/// Neighbours of a point whose distance is taken for its spacing.
-constexpr int neighboursOfSpacing = 8;
+/// The spacing of a point is the distance to this neighbour of it.
+constexpr int neighbourOfSpacing = 8;
 
-/// Spacings at the dense end and at the sparse one: a tenth of the points have less, and a tenth
-/// more.
+/// Spacings at the dense end and at the sparse one: a tenth of the points have less, and those of a
+/// tenth of the surface more. Half of a surface may have next to none of its points.
 struct SpacingSpread {
     double dense = 0;
     double sparse = 0;
 
-    /// That of a uniform random sample has a ratio of 1.6.
-    bool isUneven() const { return sparse > leastRatio * dense; }
-
-    static constexpr double tenth = 0.1;
-    static constexpr double leastRatio = 2;
+    bool isUneven() const;
 };
 
-/// Requires at least one spacing.
-inline SpacingSpread spreadOf(const std::vector<double> &spacings)
-{
-    return {quantile(spacings, SpacingSpread::tenth), quantile(spacings, 1 - SpacingSpread::tenth)};
-}
+/// Of distinct points, as far as `tree` is of them; at least one. Strays are no sparse end: where
+/// there is one, a point has the usual spacing of its neighbours.
+SpacingSpread spacingSpread(const std::vector<Point3> &distinct, PointTree &tree);
 
 } // namespace neuralmesh

@@ -4,18 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 #include "core/space/plain_points.h"
 #include "core/space/spacing_spread.h"
-#include "samplers/points/pilot_tree.h"
 
 namespace neuralmesh {
 namespace {
 
-/// Points at which the spacing is measured, and at which it is looked at whether it varies.
+/// Points at which the spacing is measured.
 constexpr std::uint64_t mostPilots = 20000;
-constexpr std::size_t measuredPoints = 500;
 /// Of the spacing.
 constexpr double exponent = 2.0 / 3;
 
@@ -45,15 +42,6 @@ Places placesOf(const std::vector<Point3> &points)
     return found;
 }
 
-bool areUneven(const std::vector<Point3> &places, PilotTree &tree)
-{
-    std::vector<double> spacings;
-    const std::size_t count = std::min(places.size(), measuredPoints);
-    for (std::size_t i = 0; i < count; ++i)
-        spacings.push_back(tree.distance(places[i * places.size() / count], neighboursOfSpacing));
-    return spreadOf(spacings).isUneven();
-}
-
 } // namespace
 
 std::vector<double> weightsByDensity(std::uint64_t count,
@@ -64,10 +52,10 @@ std::vector<double> weightsByDensity(std::uint64_t count,
     for (std::uint64_t i = 0; i < pilots; ++i)
         pilot.push_back(toVcg(pointAt((2 * i + 1) * count / (2 * pilots))));
     const Places found = placesOf(pilot);
-    PilotTree tree(found.places);
+    PointTree tree(found.places);
     std::vector<double> weightOf(found.places.size(), 1);
-    if (areUneven(found.places, tree)) {
-        weightOf = tree.usualDistances(neighboursOfSpacing);
+    if (spacingSpread(found.places, tree).isUneven()) {
+        weightOf = tree.usualDistances(neighbourOfSpacing);
         for (double &weight : weightOf)
             weight = std::pow(weight, exponent);
     } else if (found.places.size() == pilot.size()) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/space/point_statistics.h"
-#include "samplers/points/pilot_tree.h"
+#include "core/space/point_tree.h"
 #include "samplers/points/sparse_parts.h"
 
 namespace neuralmesh {
@@ -33,7 +33,7 @@ constexpr double mostOfGroup = 0.0025;
 /// Above this share of the places there are no outliers.
 constexpr double mostOutliers = 0.2;
 
-double measureRadius(PilotTree &tree, const std::vector<Point3> &pilot)
+double measureRadius(PointTree &tree, const std::vector<Point3> &pilot)
 {
     std::vector<double> logarithms;
     const std::size_t count = std::min(pilot.size(), measuredPoints);
@@ -63,7 +63,7 @@ std::vector<Point3> withoutRepetitions(const std::vector<Point3> &points)
 
 /// Whether a pilot point is off the plane of its neighbours, and far from them as they are from
 /// theirs.
-bool strays(std::size_t index, const std::vector<Point3> &pilot, PilotTree &tree,
+bool strays(std::size_t index, const std::vector<Point3> &pilot, PointTree &tree,
             const std::vector<double> &distances)
 {
     const std::vector<std::size_t> others = tree.neighbours(index, neighbours);
@@ -125,7 +125,7 @@ OutlierFilter::OutlierFilter(const std::vector<Point3> &drawn, bool isWhole)
 void OutlierFilter::learn(bool isWhole)
 {
     pilotGrid_ = PointGrid(RobustFrame::usualBox(), pilot_);
-    PilotTree tree(pilot_);
+    PointTree tree(pilot_);
     radius_ = measureRadius(tree, pilot_);
     if (isWhole) {
         const std::vector<double> distances = tree.distances(neighbours);
@@ -141,7 +141,7 @@ void OutlierFilter::learn(bool isWhole)
 
 /// Among those alone, but for strays off a surface: many of these, at one distance, would be one
 /// themselves.
-void OutlierFilter::findSparseParts(PilotTree &all)
+void OutlierFilter::findSparseParts(PointTree &all)
 {
     std::vector<std::size_t> indices;
     std::vector<Point3> alone;
@@ -170,7 +170,7 @@ void OutlierFilter::findSmallGroups()
     if (others.empty())
         return;
     const double most = mostOfGroup * static_cast<double>(pilot_.size());
-    const std::vector<bool> isSmall = PilotTree(others).inSmallGroups(leastRatio, neighbours, most);
+    const std::vector<bool> isSmall = PointTree(others).inSmallGroups(leastRatio, neighbours, most);
     for (std::size_t i = 0; i < indices.size(); ++i)
         isInSmallGroup_[indices[i]] = isSmall[i];
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/space/point_grid.h"
+#include "core/space/point_tree.h"
 #include "samplers/points/distinct_points.h"
-#include "samplers/points/pilot_tree.h"
 #include "samplers/points/robust_frame.h"
 
 namespace neuralmesh {
@@ -54,7 +54,7 @@ public:
 
 private:
     void learn(bool isWhole);
-    void findSparseParts(PilotTree &all);
+    void findSparseParts(PointTree &all);
     void findSmallGroups();
     bool isDirt(const Point3 &inFrame) const;
     bool isDirtNear(std::size_t pilot, double distance, bool isAlone) const;

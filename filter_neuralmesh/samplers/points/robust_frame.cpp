@@ -4,13 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/space/point_statistics.h"
-
 namespace neuralmesh {
 namespace {
 
 /// From here on, in units of the frame, distances grow with the logarithm.
 constexpr Scalar farAway = 1e6;
+
+Scalar quantile(std::vector<Scalar> &values, double share)
+{
+    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + place, values.end());
+    return values[static_cast<std::size_t>(place)];
+}
 
 } // namespace
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/space/point_statistics.h"
-#include "samplers/points/pilot_tree.h"
+#include "core/space/point_tree.h"
 
 namespace neuralmesh {
 namespace {
@@ -59,7 +59,7 @@ std::vector<bool> majorities(const std::vector<bool> &are, const Neighbourhoods 
 
 /// By point: whether it lies in a sparser part. Chance makes patches of strays look like one, which
 /// neighbours of neighbours outvote.
-std::vector<bool> inParts(const std::vector<Point3> &alone, PilotTree &tree,
+std::vector<bool> inParts(const std::vector<Point3> &alone, PointTree &tree,
                           const std::vector<double> &distances)
 {
     Neighbourhoods neighbours;
@@ -76,12 +76,12 @@ std::vector<bool> inParts(const std::vector<Point3> &alone, PilotTree &tree,
 
 } // namespace
 
-std::vector<double> reachesInSparseParts(const std::vector<Point3> &alone, PilotTree &all)
+std::vector<double> reachesInSparseParts(const std::vector<Point3> &alone, PointTree &all)
 {
     std::vector<double> reaches(alone.size(), 0);
     if (alone.size() <= directions)
         return reaches;
-    PilotTree tree(alone);
+    PointTree tree(alone);
     const std::vector<bool> isInPart = inParts(alone, tree, tree.distances(directions));
     for (std::size_t i = 0; i < alone.size(); ++i)
         if (isInPart[i])

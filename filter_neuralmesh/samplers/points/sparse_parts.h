@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mesh/neural_mesh.h"
-#include "samplers/points/pilot_tree.h"
+#include "core/space/point_tree.h"
 
 namespace neuralmesh {
 
@@ -20,6 +20,6 @@ namespace neuralmesh {
 ///
 /// Others are at the spacing of all points, of which those that stand alone are a part: the border
 /// of a dense surface has some, far from each other.
-std::vector<double> reachesInSparseParts(const std::vector<Point3> &alone, PilotTree &all);
+std::vector<double> reachesInSparseParts(const std::vector<Point3> &alone, PointTree &all);
 
 } // namespace neuralmesh

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/space/point_index.h"
@@ -50,6 +51,19 @@ TEST(EvenDensity, thins_the_dense_end_to_the_sparse_one)
     const PointIndex left(even);
     for (const Point3 &p : points)
         EXPECT_TRUE(left.hasWithin(p, 0.03));
+}
+
+TEST(EvenDensity, thins_a_half_that_has_nearly_all_points)
+{
+    test::Points points = square(20000, 1);
+    points.erase(std::remove_if(points.begin(), points.end(),
+                                [random = Random(2)](const Point3 &p) mutable {
+                                    return p.X() < 0.5 && random.unit() > 0.05;
+                                }),
+                 points.end());
+    ASSERT_GT(countIn(points, 0.5, 1) / countIn(points, 0, 0.5), 15);
+    const test::Points even = withEvenDensity(points);
+    EXPECT_LT(countIn(even, 0.5, 1) / countIn(even, 0, 0.5), 2.5);
 }
 
 TEST(EvenDensity, counts_repeated_points_once)

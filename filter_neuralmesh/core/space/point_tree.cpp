@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "samplers/points/pilot_tree.h"
+#include "core/space/point_tree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/space/point_statistics.h"
 
 namespace neuralmesh {
 
-PilotTree::PilotTree(const std::vector<Point3> &points)
+PointTree::PointTree(const std::vector<Point3> &points)
     : points_(points), wrapper_(points.data(), static_cast<int>(points.size())), tree_(wrapper_)
 {
 }
 
-double PilotTree::distance(const Point3 &point, int k)
+double PointTree::distance(const Point3 &point, int k)
 {
     tree_.doQueryK(point, k + 1, queue_); // the point itself is one
     double furthest = 0;
@@ -23,7 +24,7 @@ double PilotTree::distance(const Point3 &point, int k)
     return std::sqrt(furthest); // weights are squared distances
 }
 
-std::vector<double> PilotTree::distances(int k)
+std::vector<double> PointTree::distances(int k)
 {
     std::vector<double> found;
     found.reserve(points_.size());
@@ -32,7 +33,15 @@ std::vector<double> PilotTree::distances(int k)
     return found;
 }
 
-std::vector<double> PilotTree::usualDistances(int k)
+double PointTree::usualDistance(std::size_t index, int k)
+{
+    std::vector<double> around{distance(points_[index], k)};
+    for (const std::size_t other : neighbours(index, k))
+        around.push_back(distance(points_[other], k));
+    return median(std::move(around));
+}
+
+std::vector<double> PointTree::usualDistances(int k)
 {
     std::vector<double> distances;
     std::vector<std::size_t> nearest; // of one point after the other, with itself
@@ -55,7 +64,7 @@ std::vector<double> PilotTree::usualDistances(int k)
     return usual;
 }
 
-std::vector<std::size_t> PilotTree::neighbours(std::size_t index, int k)
+std::vector<std::size_t> PointTree::neighbours(std::size_t index, int k)
 {
     tree_.doQueryK(points_[index], k + 1, queue_);
     std::vector<std::size_t> others;
@@ -65,7 +74,7 @@ std::vector<std::size_t> PilotTree::neighbours(std::size_t index, int k)
     return others;
 }
 
-std::vector<bool> PilotTree::inSmallGroups(double ratio, int k, double most)
+std::vector<bool> PointTree::inSmallGroups(double ratio, int k, double most)
 {
     const std::vector<std::size_t> group = groups(ratio, k);
     std::vector<int> sizes(points_.size(), 0);
@@ -79,7 +88,7 @@ std::vector<bool> PilotTree::inSmallGroups(double ratio, int k, double most)
 }
 
 /// By point: the one that stands for its group.
-std::vector<std::size_t> PilotTree::groups(double ratio, int k)
+std::vector<std::size_t> PointTree::groups(double ratio, int k)
 {
     std::vector<std::size_t> parent(points_.size());
     std::iota(parent.begin(), parent.end(), std::size_t(0));

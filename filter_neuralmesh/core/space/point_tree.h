@@ -11,9 +11,9 @@ namespace neuralmesh {
 
 /// Points with a search tree, and what the k nearest neighbours of each tell of it. The points have
 /// to outlive the tree.
-class PilotTree {
+class PointTree {
 public:
-    explicit PilotTree(const std::vector<Point3> &points);
+    explicit PointTree(const std::vector<Point3> &points);
 
     /// Distance to the k-th neighbour of one of the points.
     double distance(const Point3 &point, int k);
@@ -21,8 +21,11 @@ public:
     /// The same for all of them.
     std::vector<double> distances(int k);
 
-    /// The same, but of each point the median of its own and those of its k nearest neighbours: a
-    /// stray has the spacing of the part that it is near to.
+    /// The median of the distances of a point and of its k nearest neighbours to their k-th: that
+    /// of a stray is the one of those that it is near to.
+    double usualDistance(std::size_t index, int k);
+
+    /// The same for all of them.
     std::vector<double> usualDistances(int k);
 
     /// The k nearest others of a point.

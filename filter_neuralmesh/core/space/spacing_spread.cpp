@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/spacing_spread.h"
+
+#include <algorithm>
+
+namespace neuralmesh {
+namespace {
+
+/// Points whose spacing is measured.
+constexpr std::size_t measuredPoints = 1000;
+/// Of the points at the dense end, and of the surface at the sparse one.
+constexpr double tenth = 0.1;
+/// Points are uneven from this ratio of the two: that of a uniform random sample is 1.7.
+constexpr double leastRatio = 2;
+
+/// Each spacing stands for its square of the surface.
+SpacingSpread spreadOf(std::vector<double> spacings)
+{
+    std::sort(spacings.begin(), spacings.end());
+    double area = 0;
+    for (const double spacing : spacings)
+        area += spacing * spacing;
+    auto sparse = spacings.end() - 1;
+    for (double above = *sparse * *sparse; sparse != spacings.begin() && above < tenth * area;
+         above += *sparse * *sparse)
+        --sparse;
+    const auto dense = static_cast<std::size_t>(tenth * static_cast<double>(spacings.size() - 1));
+    return {spacings[dense], *sparse};
+}
+
+template <class SpacingAt> SpacingSpread spreadBy(std::size_t points, const SpacingAt &spacingAt)
+{
+    const std::size_t count = std::min(points, measuredPoints);
+    std::vector<double> spacings;
+    spacings.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+        spacings.push_back(spacingAt(i * points / count));
+    return spreadOf(std::move(spacings));
+}
+
+} // namespace
+
+bool SpacingSpread::isUneven() const
+{
+    return sparse > leastRatio * dense;
+}
+
+SpacingSpread spacingSpread(const std::vector<Point3> &distinct, PointTree &tree)
+{
+    const SpacingSpread found = spreadBy(distinct.size(), [&](std::size_t i) {
+        return tree.distance(distinct[i], neighbourOfSpacing);
+    });
+    if (!found.isUneven())
+        return found;
+    return spreadBy(distinct.size(),
+                    [&](std::size_t i) { return tree.usualDistance(i, neighbourOfSpacing); });
+}
+
+} // namespace neuralmesh
