@@ -26,6 +26,8 @@ OF_THIN_CUP = 2_500
 CASES = [
     ("torus", "clean"),
     ("torus", "sparse"),
+    ("knot1", "half"),
+    ("bunny", "half"),
     ("two-spheres", "clean"),
     ("frame-0.3", "clean"),
     ("knot1", "clean"),

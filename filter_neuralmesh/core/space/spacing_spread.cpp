@@ -13,16 +13,21 @@ constexpr double tenth = 0.1;
 /// Points are uneven from this ratio of the two: that of a uniform random sample is 1.7.
 constexpr double leastRatio = 2;
 
-/// Each spacing stands for its square of the surface.
+/// What a point stands for of the surface, but for a factor.
+double areaOf(double spacing)
+{
+    return spacing * spacing;
+}
+
 SpacingSpread spreadOf(std::vector<double> spacings)
 {
     std::sort(spacings.begin(), spacings.end());
     double area = 0;
     for (const double spacing : spacings)
-        area += spacing * spacing;
+        area += areaOf(spacing);
     auto sparse = spacings.end() - 1;
-    for (double above = *sparse * *sparse; sparse != spacings.begin() && above < tenth * area;
-         above += *sparse * *sparse)
+    for (double above = areaOf(*sparse); sparse != spacings.begin() && above < tenth * area;
+         above += areaOf(*sparse))
         --sparse;
     const auto dense = static_cast<std::size_t>(tenth * static_cast<double>(spacings.size() - 1));
     return {spacings[dense], *sparse};

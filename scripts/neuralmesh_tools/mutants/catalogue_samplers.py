@@ -197,8 +197,8 @@ SAMPLERS: tuple[Mutant, ...] = (
         "sparse-halves-are-few-points",
         "the sparse end is a tenth of the surface, not of the points",
         "core/space/spacing_spread.cpp",
-        "/// Each spacing stands for its square of the surface.\nSpacingSpread spreadOf(std::vector<double> spacings)\n{\n    std::sort(spacings.begin(), spacings.end());\n",
-        "SpacingSpread spreadOf(std::vector<double> spacings)\n{\n    std::sort(spacings.begin(), spacings.end());\n    return {spacings[spacings.size() / 10], spacings[spacings.size() * 9 / 10]};\n",
+        "return spacing * spacing;",
+        "return spacing / spacing;",
         (
             "SpacingSpread.half_of_a_surface_is_a_sparse_end_however_few_its_points",
             "EvenDensity.thins_a_half_that_has_nearly_all_points",

@@ -18,6 +18,8 @@ from neuralmesh_tools.quality.inputs import Condition
 SURFACE_SAMPLES = 100_000
 SPARSE_POINTS = 3_000
 SPARSE_VERTICES = 1_500
+# Of the half at the low end of the longest side, one in so many stays.
+HALF_RATIO = 10
 
 # The quality table's outliers come with noise; these come alone.
 CONDITIONS: dict[str, Condition] = {
@@ -25,6 +27,7 @@ CONDITIONS: dict[str, Condition] = {
     "noise": inputs.CONDITIONS["noise0.2"],
     "outliers": Condition("5 % outliers", outliers=0.05),
     "sparse": Condition(f"{SPARSE_POINTS:,} points"),
+    "half": Condition(f"one half {HALF_RATIO} : 1"),
 }
 
 
@@ -54,7 +57,18 @@ def made(maker: Maker, count: int, condition: str, seed: int) -> Cloud:
     cloud = maker(SPARSE_POINTS if condition == "sparse" else count, seed)
     generator = np.random.default_rng([seed, 1])
     points = inputs.worsened(cloud.clean, cloud.clean, CONDITIONS[condition], generator)
+    if condition == "half":
+        points = with_sparse_half(points, generator)
     return replace(cloud, points=np.vstack([points, np.zeros((cloud.zeros, 3))]))
+
+
+def with_sparse_half(points: Points, generator: np.random.Generator) -> Points:
+    """Take nine in ten points (n, 3) out of the half at the low end of the longest side."""
+    along = points[:, int(np.argmax(np.ptp(points, axis=0)))]
+    kept: Points = points[
+        (along >= np.median(along)) | (generator.random(len(points)) < 1 / HALF_RATIO)
+    ]
+    return kept
 
 
 def generated(generate: Callable[[int, int], Points]) -> Maker:

@@ -17,6 +17,10 @@ FACE_LOOPS = 22
 FACE_GAPS = 0.067
 
 
+# Points of which one half is thinned, at the least.
+LEAST_HALVED = 20_000
+
+
 @dataclass(frozen=True)
 class Expected:
     """What makes a mesh right. Each mesh also has to be two-manifold, oriented and of exact count.
@@ -47,7 +51,8 @@ class RowOf:
     """Data and what is expected of their mesh, with open or closed boundaries.
 
     at_least: of 5 runs on clean points that have to be right; in other conditions, one less.
-    points: drawn, where the condition is not sparse. sparse: whether that condition applies.
+    points: drawn, where the condition is not sparse. sparse: whether that condition applies. Half
+    of fewer points than LEAST_HALVED would be too sparse for their shape.
     """
 
     maker: data.Maker
@@ -61,7 +66,8 @@ class RowOf:
     @property
     def conditions(self) -> list[str]:
         """The conditions that apply."""
-        return [name for name in data.CONDITIONS if self.sparse or name != "sparse"]
+        applies = {"sparse": self.sparse, "half": self.points >= LEAST_HALVED}
+        return [name for name in data.CONDITIONS if applies.get(name, True)]
 
     @property
     def parameters(self) -> dict[str, int]:
