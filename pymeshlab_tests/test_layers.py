@@ -79,9 +79,10 @@ def test_uneven_vertices_make_no_difference_to_a_surface() -> None:
         document.set_current_mesh(0)
         reconstruct(document, targetvertnum=400, source=source)
         shares.append(np.mean(document.current_mesh().vertex_matrix()[:, 2] > 0))
-    # 0.89 to 0.90 with three seeds: half of the vertices are those of the start, which spreads them
-    # by curvature. From a tetrahedron, 0.91 to 0.92.
-    assert shares[0] > 0.87
+    # 0.83 to 0.84 with five seeds: half of the vertices are those of the start, which spreads them
+    # by curvature, and sparse points are drawn more often than in proportion. From a tetrahedron,
+    # which learns by equation 1, 0.91 to 0.93.
+    assert shares[0] == pytest.approx(0.835, abs=0.03)
     assert shares[1] == pytest.approx(0.5, abs=0.05)
 
 

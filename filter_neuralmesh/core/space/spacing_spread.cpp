@@ -25,12 +25,12 @@ SpacingSpread spreadOf(std::vector<double> spacings)
     double area = 0;
     for (const double spacing : spacings)
         area += areaOf(spacing);
-    auto sparse = spacings.end() - 1;
-    for (double above = areaOf(*sparse); sparse != spacings.begin() && above < tenth * area;
-         above += areaOf(*sparse))
-        --sparse;
+    std::size_t sparse = spacings.size() - 1;
+    double above = areaOf(spacings[sparse]);
+    while (sparse > 0 && above < tenth * area)
+        above += areaOf(spacings[--sparse]);
     const auto dense = static_cast<std::size_t>(tenth * static_cast<double>(spacings.size() - 1));
-    return {spacings[dense], *sparse};
+    return {spacings[dense], spacings[sparse]};
 }
 
 template <class SpacingAt> SpacingSpread spreadBy(std::size_t points, const SpacingAt &spacingAt)
