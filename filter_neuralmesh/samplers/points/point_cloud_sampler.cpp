@@ -48,9 +48,11 @@ Choice withoutOutliers(const std::vector<Point> &world)
     Choice choice{std::vector<bool>(world.size(), true)};
     if (areCompared) {
         DistinctPoints seen(world.size());
-        for (std::size_t i = 0; i < world.size(); ++i)
-            if ((choice.isKept[i] = seen.insert(toVcg(world[i]))))
+        for (std::size_t i = 0; i < world.size(); ++i) {
+            choice.isKept[i] = seen.insert(toVcg(world[i]));
+            if (choice.isKept[i])
                 places.push_back(toVcg(world[i]));
+        }
     }
     const OutlierFilter filter =
         areCompared
