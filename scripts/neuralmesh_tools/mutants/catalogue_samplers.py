@@ -154,8 +154,8 @@ SAMPLERS: tuple[Mutant, ...] = (
         "repeated-points-are-many",
         "points at one place are one",
         "samplers/points/point_cloud_sampler.cpp",
-        "            choice.isKept[i] = seen.insert(toVcg(world[i]));\n            if (choice.isKept[i])",
-        "            if (seen.insert(toVcg(world[i])))",
+        "choice.isKept[i] = seen.insert(toVcg(world[i]));",
+        "choice.isKept[i] = seen.insert(toVcg(world[i])) || true;",
         ("PointCloudSampler.points_at_one_place_are_one",),
     ),
     Mutant(
