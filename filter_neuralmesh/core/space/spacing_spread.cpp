@@ -10,6 +10,9 @@ namespace {
 constexpr std::size_t measuredPoints = 1000;
 /// Of the points at the dense end, and of the surface at the sparse one.
 constexpr double tenth = 0.1;
+/// Of the points, those beyond the sparse end at the least: fewer tell no surface, and of heavy
+/// tails the last few have all of it.
+constexpr double leastOfPoints = 0.01;
 /// Points are uneven from this ratio of the two: that of a uniform random sample is 1.7.
 constexpr double leastRatio = 2;
 
@@ -27,7 +30,8 @@ SpacingSpread spreadOf(std::vector<double> spacings)
         area += areaOf(spacing);
     std::size_t sparse = spacings.size() - 1;
     double above = areaOf(spacings[sparse]);
-    while (sparse > 0 && above < tenth * area)
+    const auto most = static_cast<std::size_t>((1 - leastOfPoints) * static_cast<double>(sparse));
+    while (sparse > 0 && (above < tenth * area || sparse > most))
         above += areaOf(spacings[--sparse]);
     const auto dense = static_cast<std::size_t>(tenth * static_cast<double>(spacings.size() - 1));
     return {spacings[dense], spacings[sparse]};

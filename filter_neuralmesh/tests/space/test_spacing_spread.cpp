@@ -44,6 +44,22 @@ TEST(SpacingSpread, half_of_a_surface_is_a_sparse_end_however_few_its_points)
     }
 }
 
+TEST(SpacingSpread, the_last_few_points_of_heavy_tails_are_no_sparse_end)
+{
+    // Cauchy-distributed: the last ten in a thousand stand for nearly all of the surface.
+    Random random(3);
+    const auto cauchy = [&] { return std::tan(M_PI * (random.unit() - 0.5)); };
+    test::WorldPoints points;
+    for (int i = 0; i < 1000; ++i)
+        points.emplace_back(cauchy(), cauchy(), cauchy());
+    PointTree tree(points);
+    const double sparse = spacingSpread(points, tree).sparse;
+    int beyond = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        beyond += tree.usualDistance(i, neighbourOfSpacing) > sparse ? 1 : 0;
+    EXPECT_GE(beyond, 9);
+}
+
 TEST(SpacingSpread, strays_are_no_sparse_end)
 {
     test::WorldPoints points;
