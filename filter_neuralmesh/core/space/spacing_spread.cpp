@@ -13,7 +13,8 @@ constexpr double tenth = 0.1;
 /// Of the points, those beyond the sparse end at the least: fewer tell no surface, and of heavy
 /// tails the last few have all of it.
 constexpr double leastOfPoints = 0.01;
-/// Points are uneven from this ratio of the two: that of a uniform random sample is 1.7.
+/// Points are uneven from this ratio of the two: that of a uniform random sample of a square is 1.6
+/// to 1.8, of 500 points up to 2.0.
 constexpr double leastRatio = 2;
 
 /// What a point stands for of the surface, but for a factor.

@@ -81,8 +81,8 @@ TEST(PointCloudSampler, points_at_one_place_are_one)
 
 TEST(PointCloudSampler, sparse_points_are_drawn_more_often_where_the_density_varies)
 {
-    // 60,000 points at x < 1, and of three fifths of that area a sixteenth of their density. The
-    // spacing is four times as wide there: each is drawn 4^(2/3) times as often.
+    // 60,000 points at x < 1, and a sixteenth as dense up to 5. The spacing is four times as wide
+    // there: each is drawn 4^(2/3) times as often.
     Points points;
     Random random(1);
     for (int i = 0; i < 60000; ++i)

@@ -60,6 +60,16 @@ TEST(SpacingSpread, the_last_few_points_of_heavy_tails_are_no_sparse_end)
     EXPECT_GE(beyond, 9);
 }
 
+TEST(PointTree, has_the_same_usual_distances_one_by_one_and_of_all)
+{
+    test::WorldPoints points;
+    addSquare(points, 500, 0);
+    PointTree tree(points);
+    const std::vector<double> all = tree.usualDistances(neighbourOfSpacing);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_EQ(tree.usualDistance(i, neighbourOfSpacing), all[i]) << i;
+}
+
 TEST(SpacingSpread, strays_are_no_sparse_end)
 {
     test::WorldPoints points;

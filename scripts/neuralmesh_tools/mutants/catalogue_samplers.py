@@ -213,6 +213,14 @@ SAMPLERS: tuple[Mutant, ...] = (
         ("SpacingSpread.strays_are_no_sparse_end",),
     ),
     Mutant(
+        "the-last-few-are-the-sparse-end",
+        "a few points in a thousand tell no surface, however far they are",
+        "core/space/spacing_spread.cpp",
+        "leastOfPoints = 0.01;",
+        "leastOfPoints = 0;",
+        ("SpacingSpread.the_last_few_points_of_heavy_tails_are_no_sparse_end",),
+    ),
+    Mutant(
         "runs-weigh-as-a-point",
         "a run weighs as much as its points together",
         "samplers/points/order_of_points.h",
