@@ -2,9 +2,8 @@
 #include "core/mesh/self_intersections.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
-
-#include <vcg/complex/algorithms/clean.h>
 
 #include "core/mesh/ring_topology.h"
 #include "core/space/box_tree.h"
@@ -14,6 +13,50 @@ namespace {
 
 /// Faces that a thread tests at a time.
 constexpr std::size_t facesOfChunk = 512;
+
+/// A corner counts as in the plane of a face up to this height, in lengths of the edge at it.
+/// Rounding leaves heights of 1e-16 in the unit frame: even of edges of 1e-5, 1e-11.
+constexpr Scalar flatness = 1e-9;
+
+/// Six times the volume of a tetrahedron; positive where d is on the side of the normal of a, b, c.
+Scalar volume(const Point3 &a, const Point3 &b, const Point3 &c, const Point3 &d)
+{
+    return ((b - a) ^ (c - a)) * (d - a);
+}
+
+/// Whether the edge from p to q passes through the triangle. What is small is so by the lengths of
+/// the edges: VCG takes a determinant below 1e-6 for parallel, which that of an edge and a face of
+/// 0.001 always is.
+bool pierces(const Point3 &p, const Point3 &q, const std::array<Point3, 3> &t)
+{
+    const Point3 normal = (t[1] - t[0]) ^ (t[2] - t[0]);
+    const Scalar above = normal * (p - t[0]);
+    const Scalar below = normal * (q - t[0]);
+    const Scalar least = flatness * (t[1] - t[0]).Norm() * (t[2] - t[0]).Norm() * (q - p).Norm();
+    if (std::min(above, below) > -least || std::max(above, below) < least)
+        return false;
+    const Scalar a = volume(p, q, t[0], t[1]);
+    const Scalar b = volume(p, q, t[1], t[2]);
+    const Scalar c = volume(p, q, t[2], t[0]);
+    return (a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0);
+}
+
+/// Whether an edge of one face passes through the other. Those at a vertex of both do not, so that
+/// faces with an edge in common cannot.
+bool hasEdgeThrough(const NeuralFace &face, const NeuralFace &other)
+{
+    const std::array<Point3, 3> corners{other.cP(0), other.cP(1), other.cP(2)};
+    const auto isShared = [&](int corner) {
+        const NeuralVertex *v = face.cV(corner);
+        return v == other.cV(0) || v == other.cV(1) || v == other.cV(2);
+    };
+    for (int i = 0; i < 3; ++i) {
+        const int next = (i + 1) % 3;
+        if (!isShared(i) && !isShared(next) && pierces(face.cP(i), face.cP(next), corners))
+            return true;
+    }
+    return false;
+}
 
 Box3 boundsOf(const NeuralFace &face)
 {
@@ -29,11 +72,18 @@ void addPartners(NeuralMesh &mesh, NeuralFace &face, const BoxTree &boxes,
     const std::size_t before = found.size();
     boxes.forEachMeeting(boundsOf(face), [&](std::uint32_t i) {
         NeuralFace *other = &mesh.face[i];
-        if (other > &face && vcg::tri::Clean<NeuralMesh>::TestFaceFaceIntersection(&face, other))
+        if (other > &face && (hasEdgeThrough(face, *other) || hasEdgeThrough(*other, face)))
             found.push_back(other);
     });
     if (found.size() > before)
         found.push_back(&face);
+}
+
+/// Sorts, and leaves each only once.
+template <class T> void sortOnce(std::vector<T> &values)
+{
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 } // namespace
@@ -52,16 +102,16 @@ SelfIntersections findSelfIntersections(NeuralMesh &mesh, Workers &workers)
             for (std::size_t i = first; i < end; ++i)
                 addPartners(mesh, mesh.face[i], boxes, ofChunks[first / facesOfChunk]);
         });
+    std::vector<NeuralFace *> faces;
+    for (const std::vector<NeuralFace *> &ofChunk : ofChunks)
+        faces.insert(faces.end(), ofChunk.begin(), ofChunk.end());
+    sortOnce(faces);
     SelfIntersections found;
-    std::vector<VertexId> &corners = found.corners;
-    for (const std::vector<NeuralFace *> &faces : ofChunks) {
-        found.faces += static_cast<int>(faces.size());
-        for (const NeuralFace *face : faces)
-            for (int corner = 0; corner < 3; ++corner)
-                corners.push_back(static_cast<VertexId>(vcg::tri::Index(mesh, face->cV(corner))));
-    }
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    found.faces = static_cast<int>(faces.size());
+    for (const NeuralFace *face : faces)
+        for (int corner = 0; corner < 3; ++corner)
+            found.corners.push_back(static_cast<VertexId>(vcg::tri::Index(mesh, face->cV(corner))));
+    sortOnce(found.corners);
     return found;
 }
 

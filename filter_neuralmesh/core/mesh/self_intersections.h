@@ -13,8 +13,9 @@ struct SelfIntersections {
     std::vector<VertexId> corners; ///< of these, ascending
 };
 
-/// Makes the mesh's faces anew, and tests those whose boxes meet with each other, as VCG does. The
-/// mesh stays as it is where the watch of the workers throws.
+/// Makes the mesh's faces anew, and tests those whose boxes meet with each other: whether an edge
+/// of one passes through the other, whatever their size. Faces that lie in one plane do not cross.
+/// The mesh stays as it is where the watch of the workers throws.
 SelfIntersections findSelfIntersections(NeuralMesh &mesh, Workers &workers);
 SelfIntersections findSelfIntersections(NeuralMesh &mesh);
 
