@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/network/census.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/mesh/enumeration.h"
 #include "core/mesh/vertex_data.h"
 #include "core/nth_root.h"
@@ -33,8 +36,21 @@ Census::Census(int vertices, std::size_t points)
 {
 }
 
-std::vector<VertexId> Census::misplaced(const GrowingNetwork &network,
+std::vector<VertexId> Census::misplaced(GrowingNetwork &network,
                                         const std::vector<Point3> &samples) const
+{
+    std::vector<VertexId> idle = this->idle(network, samples);
+    if (network.isOpenSurface())
+        return idle; // as with webs: the sheet that closes it crosses it, and is to stay
+    const std::vector<VertexId> crossing = network.findSelfIntersections().corners;
+    std::vector<VertexId> either;
+    std::set_union(idle.begin(), idle.end(), crossing.begin(), crossing.end(),
+                   std::back_inserter(either));
+    return either;
+}
+
+std::vector<VertexId> Census::idle(const GrowingNetwork &network,
+                                   const std::vector<Point3> &samples) const
 {
     VertexData<char> hasWon(network.mesh(), 0);
     std::vector<VertexId> winners(samples.size());

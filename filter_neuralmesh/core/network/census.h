@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds misplaced vertices: those that win none of many samples.
+// Finds misplaced vertices: those that win none of many samples, and those of faces that cross.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,17 @@ public:
     /// How many samples it needs.
     std::size_t samples() const { return samples_; }
 
-    /// The vertices that are nearest to none of the samples; none where these are hardly more than
-    /// by chance, so that others in their place would win nothing either.
-    std::vector<VertexId> misplaced(const GrowingNetwork &network,
+    /// The corners of faces that intersect another, whatever they win: where sheets have grown
+    /// through each other, samples hold each on the wrong side; but not of an open surface. And the
+    /// vertices that are nearest to none of the samples, but for those that are hardly more than by
+    /// chance, as others in their place would win nothing either. In ascending order.
+    std::vector<VertexId> misplaced(GrowingNetwork &network,
                                     const std::vector<Point3> &samples) const;
 
 private:
+    std::vector<VertexId> idle(const GrowingNetwork &network,
+                               const std::vector<Point3> &samples) const;
+
     std::size_t samples_;
     double idleByChance_;
 };
