@@ -36,6 +36,8 @@ constexpr double mostUnexplained = 0.005;
 constexpr double mostNoise = 0.32;
 /// And already from there, where its levels do not agree, and those of the coarser one do.
 constexpr double doubtfulNoise = 0.1;
+/// One that leaves more than this of what the coarser one does has not explained it.
+constexpr double asUnexplained = 0.9;
 /// On each grid the points are at most so many cells apart. Kernels bridge the gaps between them,
 /// so that cells which are much smaller show nothing; and those of the last need points to fill its
 /// surface. The first two are made in any case.
@@ -88,9 +90,10 @@ constexpr int leastSmoothings = 2;
 constexpr double smoothingsOfSpacing = 1.2;
 
 /// The crust around the points, in cells; and in spacings of the points, where these are sparse:
-/// the widest gaps between random points, through which the flood would get into walls.
+/// through a wider gap the flood would get into a wall. Of the gaps between n random points, about
+/// π r² n exp(-π r²) have a radius of more than r spacings: of 5,000, one in five clouds has one.
 constexpr double crustOfCells = 1.5;
-constexpr double crustOfSpacings = 1.6;
+constexpr double crustOfSpacings = 2;
 
 /// Share of the surface that the flood would double, from which the points are taken for an open
 /// sheet: then the field closes it to one side by a membrane, and the flood says nothing.
@@ -191,8 +194,8 @@ private:
     static bool isOfNoise(const ShapeReading &finer, const ShapeReading &coarser)
     {
         const bool isDoubtful = finer.votes < fewestVotes && coarser.votes >= clearVotes;
-        return finer.unexplainedShare >
-               std::max(isDoubtful ? doubtfulNoise : mostNoise, coarser.unexplainedShare);
+        return finer.unexplainedShare > std::max(isDoubtful ? doubtfulNoise : mostNoise,
+                                                 asUnexplained * coarser.unexplainedShare);
     }
 
     /// A start of more faces than the grid has cells on the surface can hold handles that fall
@@ -300,9 +303,11 @@ private:
 
     Reading read()
     {
-        Reading reading{readShape(workers_, insideness(), points_,
-                                  supportRadii(resolution()).far * resolution()),
-                        resolution()};
+        const Grid inside = insideness();
+        const double far = supportRadii(resolution()).far * resolution();
+        Reading reading{readShape(workers_, inside, points_, far), resolution()};
+        if (reading.shape.votes < fewestVotes)
+            closeTunnels(reading.shape, workers_, inside, points_, far);
         spacingInGrid_ = std::sqrt(areaOf(reading.surface().soup) / pointCount_);
         unexplained_ = reading.shape.unexplainedShare;
         return reading;

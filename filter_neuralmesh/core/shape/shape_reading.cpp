@@ -15,8 +15,9 @@ namespace {
 /// The nearest to that of the points first.
 constexpr float levels[] = {0, -0.05F, 0.05F, -0.1F, 0.1F};
 static_assert(std::size(levels) == ShapeReading::levelCount);
-constexpr float lowestLevel = -0.1F;
-constexpr float highestLevel = 0.1F;
+/// Below these, thin walls close: down to nine tenths of what the field's least level leaves below
+/// it, outside.
+constexpr float wallLevels[] = {-0.15F, -0.2F, -0.225F};
 
 /// Numbers the connected parts of the soup's vertices; returns how many there are.
 int labelParts(const TriangleSoup &soup, std::vector<int> &label)
@@ -135,6 +136,25 @@ double unexplainedShare(const Grid &inside, const std::vector<Point3> &points)
     return static_cast<double>(far) / static_cast<double>(points.size());
 }
 
+template <std::size_t count>
+std::vector<LevelSurface> surfacesAt(const float (&levels)[count], Workers &workers,
+                                     const Grid &inside, const std::vector<Point3> &points,
+                                     double far)
+{
+    const auto [lowest, highest] = std::minmax_element(std::begin(levels), std::end(levels));
+    const std::vector<std::uint32_t> cells = cellsBetween(inside, *lowest, *highest);
+    std::vector<LevelSurface> surfaces(count);
+    std::vector<std::optional<PartFinder>> finders(static_cast<std::size_t>(workers.count()));
+    workers.forEachChunk(count, 1, [&](std::size_t i, std::size_t, int worker) {
+        std::optional<PartFinder> &finder = finders[static_cast<std::size_t>(worker)];
+        if (!finder)
+            finder.emplace(inside);
+        surfaces[i] = judge(marchTetrahedra(inside, levels[i], cells), points,
+                            static_cast<int>(std::lround(far)), *finder);
+    });
+    return surfaces;
+}
+
 bool isSimpler(const LevelSurface &a, const LevelSurface &b)
 {
     return a.components + a.genus < b.components + b.genus;
@@ -145,18 +165,9 @@ bool isSimpler(const LevelSurface &a, const LevelSurface &b)
 ShapeReading readShape(Workers &workers, const Grid &inside, const std::vector<Point3> &points,
                        double far)
 {
-    const std::vector<std::uint32_t> cells = cellsBetween(inside, lowestLevel, highestLevel);
     ShapeReading reading;
-    std::vector<LevelSurface> &surfaces = reading.surfaces;
-    surfaces.resize(std::size(levels));
-    std::vector<std::optional<PartFinder>> finders(static_cast<std::size_t>(workers.count()));
-    workers.forEachChunk(surfaces.size(), 1, [&](std::size_t i, std::size_t, int worker) {
-        std::optional<PartFinder> &finder = finders[static_cast<std::size_t>(worker)];
-        if (!finder)
-            finder.emplace(inside);
-        surfaces[i] = judge(marchTetrahedra(inside, levels[i], cells), points,
-                            static_cast<int>(std::lround(far)), *finder);
-    });
+    reading.surfaces = surfacesAt(levels, workers, inside, points, far);
+    const std::vector<LevelSurface> &surfaces = reading.surfaces;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const auto agreeing = static_cast<int>(
             std::count_if(surfaces.begin(), surfaces.end(), [&](const LevelSurface &other) {
@@ -171,6 +182,19 @@ ShapeReading readShape(Workers &workers, const Grid &inside, const std::vector<P
     }
     reading.unexplainedShare = unexplainedShare(inside, points);
     return reading;
+}
+
+void closeTunnels(ShapeReading &reading, Workers &workers, const Grid &inside,
+                  const std::vector<Point3> &points, double far)
+{
+    for (LevelSurface &lower : surfacesAt(wallLevels, workers, inside, points, far)) {
+        const LevelSurface &simplest = reading.surfaces[reading.simplest];
+        if (lower.components != simplest.components || lower.genus >= simplest.genus ||
+            lower.missedShare > simplest.missedShare)
+            continue;
+        reading.simplest = reading.surfaces.size();
+        reading.surfaces.push_back(std::move(lower));
+    }
 }
 
 } // namespace neuralmesh

@@ -53,4 +53,11 @@ struct ShapeReading {
 ShapeReading readShape(Workers &workers, const Grid &inside, const std::vector<Point3> &points,
                        double far);
 
+/// Where levels disagree: has lower ones for the simplest, too, at which the shape is fatter, if
+/// these have fewer handles and as many parts. A wall that is hardly thicker than its points are
+/// apart has tunnels at random, which close; a hole of the data is outside at all of them. After
+/// readShape(), of the same.
+void closeTunnels(ShapeReading &reading, Workers &workers, const Grid &inside,
+                  const std::vector<Point3> &points, double far);
+
 } // namespace neuralmesh

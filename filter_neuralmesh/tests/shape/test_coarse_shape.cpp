@@ -72,11 +72,14 @@ TEST(CoarseShape, finds_the_handle_of_a_torus)
 
 TEST(CoarseShape, has_time_for_spheres_within_spheres)
 {
-    test::Points shells;
-    for (const std::size_t fifths : {5U, 4U, 3U, 2U})
-        for (const Point3 &p : test::spherePoints(370 * fifths * fifths, fifths))
-            shells.push_back(p * (0.2 * static_cast<double>(fifths)));
-    expectShape(shells, 4, 0);
+    for (const unsigned seed : {10U, 20U, 30U, 40U}) {
+        SCOPED_TRACE(seed);
+        test::Points shells;
+        for (const unsigned fifths : {5U, 4U, 3U, 2U})
+            for (const Point3 &p : test::spherePoints(370 * fifths * fifths, seed + fifths))
+                shells.push_back(p * (0.2 * fifths));
+        expectShape(shells, 4, 0);
+    }
 }
 
 TEST(CoarseShape, finds_two_parts)

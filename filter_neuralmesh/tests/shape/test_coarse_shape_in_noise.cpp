@@ -72,11 +72,12 @@ TEST(CoarseShape, is_not_of_a_grid_whose_cells_are_smaller_than_the_noise)
 
 TEST(CoarseShape, is_not_of_a_grid_whose_levels_noise_and_strays_part)
 {
-    expectSlitsOnGrid(64, slitBar(5, 10000, 0.75, 600));
+    expectSlitsOnGrid(64, slitBar(5, 10000, 0.9, 600));
 }
 
 /// Points all over a cube, of which no surface explains more than a few: rounds more on the second
-/// grid lead to two hundred handles, and are taken back.
+/// grid lead to two hundred handles, and are taken back. Nor does that grid say more than the
+/// first.
 TEST(CoarseShape, of_a_solid_cube_has_no_handles)
 {
     Random random(1);
@@ -88,6 +89,7 @@ TEST(CoarseShape, of_a_solid_cube_has_no_handles)
     }
     NeuralMesh mesh;
     const CoarseShape shape = test::shapeOf(points, mesh);
+    EXPECT_EQ(shape.cells, 32);
     EXPECT_EQ(shape.components, 1);
     EXPECT_EQ(shape.genus, 0);
 }

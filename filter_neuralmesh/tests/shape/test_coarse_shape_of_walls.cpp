@@ -91,5 +91,14 @@ TEST(CoarseShape, parts_the_sides_of_thin_walls)
         }
 }
 
+TEST(CoarseShape, of_walls_as_thick_as_their_points_are_apart_has_no_tunnels)
+{
+    for (const std::size_t count : {3000, 4000, 5000})
+        for (const double height : {1.0, 1.5}) {
+            SCOPED_TRACE(testing::Message() << count << " " << height);
+            expectShape(vase(count, height, 0.14, 0.8), 1, 0);
+        }
+}
+
 } // namespace
 } // namespace neuralmesh

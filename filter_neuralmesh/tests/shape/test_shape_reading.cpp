@@ -90,6 +90,52 @@ TEST(ShapeReading, takes_the_simplest_shape_where_hardly_any_levels_agree)
     EXPECT_EQ(reading.surface(1).components, 3);
 }
 
+/// Two plates beside each other, with a hole each, in which the field is this, and a gap between
+/// them, in which it is that.
+Grid plates(double hole, double gap)
+{
+    return test::sampled({64, 32, 16}, [=](const Point3 &p) {
+        if (std::abs(p.Z() - 0.12) > 0.05 || std::abs(p.Y() - 0.25) > 0.2 ||
+            std::abs(p.X() - 0.5) > 0.45)
+            return -1.0;
+        if (std::abs(p.X() - 0.5) < 0.04)
+            return gap;
+        return std::hypot(std::abs(p.X() - 0.5) - 0.25, p.Y() - 0.25) < 0.08 ? hole : 1.0;
+    });
+}
+
+/// On the upper and lower sides of the plates, or on all of their surface.
+test::Points pointsOn(const Grid &inside, bool allOver)
+{
+    test::Points points = pointsAt(inside, 0.1F);
+    const auto isBeside = [](const Point3 &p) { return std::abs(p.Z() - 0.12) < 0.03; };
+    if (!allOver)
+        points.erase(std::remove_if(points.begin(), points.end(), isBeside), points.end());
+    return points;
+}
+
+LevelSurface withoutTunnels(const Grid &inside, bool allOver = false)
+{
+    const test::Points points = pointsOn(inside, allOver);
+    ShapeReading reading = readShape(alone, inside, points, far);
+    closeTunnels(reading, alone, inside, points, far);
+    return reading.surfaces[reading.simplest];
+}
+
+TEST(ShapeReading, closes_tunnels_that_lower_levels_do_not_have)
+{
+    const Grid torn = plates(-0.18, -1);
+    EXPECT_EQ(readShape(alone, torn, pointsOn(torn, false), far).surface(fewestVotes).genus, 2);
+    EXPECT_EQ(withoutTunnels(torn).genus, 0);
+    EXPECT_EQ(withoutTunnels(torn).components, 2);
+    // A hole is as low as all that is outside.
+    EXPECT_EQ(withoutTunnels(plates(-0.25, -1)).genus, 2);
+    // A hole has points on its wall.
+    EXPECT_EQ(withoutTunnels(torn, true).genus, 2);
+    // What would join parts is no simpler.
+    EXPECT_EQ(withoutTunnels(plates(-0.18, -0.14)).components, 2);
+}
+
 TEST(ShapeReading, leaves_out_parts_that_hold_hardly_any_points)
 {
     const Grid first = ball({0.3, 0.5, 0.5}, 0.15);
