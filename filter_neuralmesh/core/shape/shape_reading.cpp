@@ -137,11 +137,11 @@ double unexplainedShare(const Grid &inside, const std::vector<Point3> &points)
 }
 
 template <std::size_t count>
-std::vector<LevelSurface> surfacesAt(const float (&levels)[count], Workers &workers,
+std::vector<LevelSurface> surfacesAt(const float (&given)[count], Workers &workers,
                                      const Grid &inside, const std::vector<Point3> &points,
                                      double far)
 {
-    const auto [lowest, highest] = std::minmax_element(std::begin(levels), std::end(levels));
+    const auto [lowest, highest] = std::minmax_element(std::begin(given), std::end(given));
     const std::vector<std::uint32_t> cells = cellsBetween(inside, *lowest, *highest);
     std::vector<LevelSurface> surfaces(count);
     std::vector<std::optional<PartFinder>> finders(static_cast<std::size_t>(workers.count()));
@@ -149,7 +149,7 @@ std::vector<LevelSurface> surfacesAt(const float (&levels)[count], Workers &work
         std::optional<PartFinder> &finder = finders[static_cast<std::size_t>(worker)];
         if (!finder)
             finder.emplace(inside);
-        surfaces[i] = judge(marchTetrahedra(inside, levels[i], cells), points,
+        surfaces[i] = judge(marchTetrahedra(inside, given[i], cells), points,
                             static_cast<int>(std::lround(far)), *finder);
     });
     return surfaces;

@@ -48,8 +48,8 @@ SHAPE: tuple[Mutant, ...] = (
         "one-level",
         "the shape is read at several levels",
         _READING,
-        "marchTetrahedra(inside, levels[i], cells)",
-        "marchTetrahedra(inside, levels[0], cells)",
+        "marchTetrahedra(inside, given[i], cells)",
+        "marchTetrahedra(inside, given[0], cells)",
         ("ShapeReading.takes_the_shape_of_most_levels_not_that_at_the_points",),
     ),
     Mutant(
