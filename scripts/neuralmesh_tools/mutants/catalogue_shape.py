@@ -289,7 +289,7 @@ SHAPE: tuple[Mutant, ...] = (
         "crust-of-cells",
         "the crust bridges gaps between sparse points",
         "core/shape/coarse_shape.cpp",
-        "constexpr double crustOfSpacings = 1.6;",
+        "constexpr double crustOfSpacings = 2;",
         "constexpr double crustOfSpacings = 0;",
         ("CoarseShape.of_a_thin_wall_of_few_points_has_no_holes",),
     ),
