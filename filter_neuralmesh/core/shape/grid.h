@@ -17,6 +17,8 @@ struct GridSize {
     /// Cells to the unit of length: the longest side is 1 long.
     int resolution() const { return std::max({x, y, z}); }
     GridSize doubled() const { return {2 * x, 2 * y, 2 * z}; }
+    bool canHalve() const { return x % 2 == 0 && y % 2 == 0 && z % 2 == 0; }
+    GridSize halved() const { return {x / 2, y / 2, z / 2}; }
 };
 
 /// Values at (x + 1) (y + 1) (z + 1) nodes of cubic cells; node (x, y, z) lies at (x, y, z) /

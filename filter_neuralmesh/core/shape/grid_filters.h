@@ -12,7 +12,8 @@ namespace neuralmesh {
 void fill(Workers &workers, Grid &grid, const NodeSpans &nodes, float value);
 
 /// Convolves these nodes with the binomial kernel (1, 2, 1) / 4 along each axis, so many times, as
-/// if all other nodes were 0. These stay.
+/// if all other nodes were 0. These stay. Wide kernels are those of coarser grids, interpolated:
+/// the work is that of a few passes however many there are.
 void smooth(Workers &workers, Grid &grid, const NodeSpans &nodes, int times);
 
 /// The grid of twice as many cells, interpolated.

@@ -121,7 +121,7 @@ NodeSpans NodeSpans::complement() const
 
 NodeSpans NodeSpans::halved() const
 {
-    const GridSize half{cells_.x / 2, cells_.y / 2, cells_.z / 2};
+    const GridSize half = cells_.halved();
     return united(half, [&](int x, int y, const auto &add) {
         for (int i = 2 * x - 1; i <= 2 * x + 1; ++i)
             for (int j = 2 * y - 1; j <= 2 * y + 1; ++j)

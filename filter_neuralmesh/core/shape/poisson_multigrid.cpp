@@ -207,7 +207,7 @@ PoissonMultigrid::PoissonMultigrid(const GridSize &cells, Workers &workers) : wo
         }
         if (!canHalve(size.x) || !canHalve(size.y) || !canHalve(size.z))
             break;
-        size = {size.x / 2, size.y / 2, size.z / 2};
+        size = size.halved();
     }
 }
 

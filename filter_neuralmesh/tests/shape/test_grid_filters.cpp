@@ -86,6 +86,60 @@ TEST(GridFilters, smooth_changes_nothing_but_its_nodes)
         EXPECT_EQ(after[i] != before[i], isIn[i] != 0) << i;
 }
 
+/// So many passes have a kernel that is wide for a coarser grid, too, and narrow for this one.
+constexpr GridSize fineCells{32, 40, 48};
+constexpr int manyPasses = 62;
+
+TEST(GridFilters, many_passes_of_smooth_are_done_on_a_coarser_grid)
+{
+    Grid grid = test::noise(fineCells, 3);
+    smooth(alone, grid, NodeSpans(fineCells), manyPasses);
+    // Interpolated. The kernel on the grid itself is curved.
+    for (int y = 3; y < fineCells.y - 2; y += 2)
+        EXPECT_FLOAT_EQ(grid.at(16, y, 24), (grid.at(16, y - 1, 24) + grid.at(16, y + 1, 24)) / 2)
+            << y;
+}
+
+TEST(GridFilters, many_passes_of_smooth_have_the_kernel_of_as_many)
+{
+    Grid atOnce(fineCells);
+    atOnce.at(15, 21, 24) = 1;
+    Grid inParts = atOnce;
+    smooth(alone, atOnce, NodeSpans(fineCells), manyPasses);
+    for (const int few : {31, 31})
+        smooth(alone, inParts, NodeSpans(fineCells), few);
+    // Interpolation along an axis takes 1/8 of the curvature from the peak: of a kernel whose
+    // variance is 62 / 2 / 4 coarse cells, 0.016.
+    const float peak = inParts.at(15, 21, 24);
+    for (std::size_t i = 0; i < atOnce.size(); ++i)
+        EXPECT_NEAR(atOnce[i] / peak, inParts[i] / peak, 3 * 0.0165) << i;
+    EXPECT_NEAR(sum(atOnce) / sum(inParts), 1, 0.01); // the border takes some of both
+}
+
+TEST(GridFilters, many_passes_of_smooth_are_their_own_adjoint)
+{
+    const Grid a = test::noise(fineCells, 3);
+    const Grid b = test::noise(fineCells, 4);
+    Grid smoothA = a;
+    Grid smoothB = b;
+    smooth(alone, smoothA, NodeSpans(fineCells), manyPasses);
+    smooth(alone, smoothB, NodeSpans(fineCells), manyPasses);
+    const double along = test::dot(smoothA, b);
+    EXPECT_NEAR(test::dot(a, smoothB), along, 1e-4 * std::abs(along));
+}
+
+TEST(GridFilters, many_passes_of_smooth_change_nothing_but_their_nodes)
+{
+    const Grid grid(fineCells);
+    const NodeSpans nodes(fineCells, {static_cast<std::uint32_t>(grid.index(9, 20, 31))}, 5);
+    const std::vector<unsigned char> isIn = test::marked(nodes, fineCells);
+    const Grid before = test::noise(fineCells, 2);
+    Grid after = before;
+    smooth(alone, after, nodes, manyPasses);
+    for (std::size_t i = 0; i < after.size(); ++i)
+        EXPECT_EQ(after[i] != before[i], isIn[i] != 0) << i;
+}
+
 TEST(GridFilters, doubled_reproduces_linear_functions)
 {
     const Grid fine = doubled(test::sampled(cells, linear));
