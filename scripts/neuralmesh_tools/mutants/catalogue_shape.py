@@ -109,6 +109,14 @@ SHAPE: tuple[Mutant, ...] = (
         ("CoarseShape.is_not_of_a_grid_whose_levels_noise_and_strays_part",),
     ),
     Mutant(
+        "wide-kernels-pass-by-pass",
+        "many smoothings of a grid are done on a coarser one",
+        "core/shape/grid_filters.cpp",
+        "constexpr int mostPasses = 32;",
+        "constexpr int mostPasses = 1000000;",
+        ("GridFilters.many_passes_of_smooth_are_done_on_a_coarser_grid",),
+    ),
+    Mutant(
         "as-good-as-explained",
         "a finer grid that explains hardly more of what lies all over a volume is not gone on from",
         _SHAPE,
