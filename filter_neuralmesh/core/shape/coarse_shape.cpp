@@ -30,14 +30,6 @@ constexpr int lastCells = 256;
 /// A surface that explains all points but so many says all that they do. Holes that are narrower
 /// than two cells are filled, with their walls inside.
 constexpr double mostUnexplained = 0.005;
-/// A finer surface that explains fewer is of their noise where it leaves more than that
-/// unexplained: of normally distributed ones, so many are further away than their standard
-/// deviation.
-constexpr double mostNoise = 0.32;
-/// And already from there, where its levels do not agree, and those of the coarser one do.
-constexpr double doubtfulNoise = 0.1;
-/// One that leaves more than this of what the coarser one does has not explained it.
-constexpr double asUnexplained = 0.9;
 /// On each grid the points are at most so many cells apart. Kernels bridge the gaps between them,
 /// so that cells which are much smaller show nothing; and those of the last need points to fill its
 /// surface. The first two are made in any case.
@@ -109,11 +101,8 @@ constexpr double thinnestPlate = 1;
 /// inside from outside there.
 constexpr float leastLevel = 0.25F;
 
-/// Of the levels at which the shape is read, so many must agree for one that the coarser grid had
-/// already; and for that of an open sheet to be trusted on the first grid, since finer ones tear it
-/// where outliers are near. Where all of them agree on two grids, nothing is narrow.
-constexpr int fewestVotes = 3;
-constexpr int clearVotes = 4;
+constexpr int fewestVotes = ShapeReading::fewestVotes;
+constexpr int clearVotes = ShapeReading::clearVotes;
 constexpr int allVotes = ShapeReading::levelCount;
 /// Shares of the area and of the points up to which a surface without votes is believed.
 constexpr double faultless = 0.01;
@@ -190,13 +179,6 @@ private:
 
     int resolution() const { return field_.field().resolution(); }
     bool isLast() const { return resolution() == lastCells; }
-
-    static bool isOfNoise(const ShapeReading &finer, const ShapeReading &coarser)
-    {
-        const bool isDoubtful = finer.votes < fewestVotes && coarser.votes >= clearVotes;
-        return finer.unexplainedShare > std::max(isDoubtful ? doubtfulNoise : mostNoise,
-                                                 asUnexplained * coarser.unexplainedShare);
-    }
 
     /// A start of more faces than the grid has cells on the surface can hold handles that fall
     /// between its nodes.

@@ -19,6 +19,15 @@ static_assert(std::size(levels) == ShapeReading::levelCount);
 /// it, outside.
 constexpr float wallLevels[] = {-0.15F, -0.2F, -0.225F};
 
+/// A finer surface that explains fewer is of their noise where it leaves more than that
+/// unexplained: of normally distributed ones, so many are further away than their standard
+/// deviation.
+constexpr double mostNoise = 0.32;
+/// And already from there, where its levels do not agree, and those of the coarser one do.
+constexpr double doubtfulNoise = 0.1;
+/// One that leaves more than this of what the coarser one does has not explained it.
+constexpr double asUnexplained = 0.9;
+
 /// Numbers the connected parts of the soup's vertices; returns how many there are.
 int labelParts(const TriangleSoup &soup, std::vector<int> &label)
 {
@@ -195,6 +204,14 @@ void closeTunnels(ShapeReading &reading, Workers &workers, const Grid &inside,
         reading.simplest = reading.surfaces.size();
         reading.surfaces.push_back(std::move(lower));
     }
+}
+
+bool isOfNoise(const ShapeReading &finer, const ShapeReading &coarser)
+{
+    const bool isDoubtful =
+        finer.votes < ShapeReading::fewestVotes && coarser.votes >= ShapeReading::clearVotes;
+    return finer.unexplainedShare > std::max(isDoubtful ? doubtfulNoise : mostNoise,
+                                             asUnexplained * coarser.unexplainedShare);
 }
 
 } // namespace neuralmesh

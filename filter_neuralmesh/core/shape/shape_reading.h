@@ -30,6 +30,11 @@ struct LevelSurface {
 struct ShapeReading {
     /// Levels at which the shape is read.
     static constexpr int levelCount = 5;
+    /// Of these, so many must agree for a shape that the coarser grid had already; and for that of
+    /// an open sheet to be trusted on the first grid, since finer ones tear it where outliers are
+    /// near. Where all of them agree on two grids, nothing is narrow.
+    static constexpr int fewestVotes = 3;
+    static constexpr int clearVotes = 4;
     /// A part of the surface counts where it has at least so many points for its own.
     static constexpr double leastPoints = 24;
 
@@ -42,9 +47,9 @@ struct ShapeReading {
     double unexplainedShare = 0;
 
     /// With the shape of most levels; where fewer than so many agree, the simplest.
-    const LevelSurface &surface(int fewestVotes) const
+    const LevelSurface &surface(int fewest) const
     {
-        return surfaces[votes >= fewestVotes ? mostFrequent : simplest];
+        return surfaces[votes >= fewest ? mostFrequent : simplest];
     }
 };
 
@@ -59,5 +64,9 @@ ShapeReading readShape(Workers &workers, const Grid &inside, const std::vector<P
 /// readShape(), of the same.
 void closeTunnels(ShapeReading &reading, Workers &workers, const Grid &inside,
                   const std::vector<Point3> &points, double far);
+
+/// Whether the finer grid shows the noise of the points: it leaves many unexplained, and explains
+/// hardly more than the coarser one.
+bool isOfNoise(const ShapeReading &finer, const ShapeReading &coarser);
 
 } // namespace neuralmesh

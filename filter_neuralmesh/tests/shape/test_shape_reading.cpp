@@ -183,6 +183,28 @@ TEST(ShapeReading, tells_the_share_of_the_points_further_than_a_cell)
     EXPECT_DOUBLE_EQ(readShape(alone, one, points, far).unexplainedShare, 0.4);
 }
 
+TEST(ShapeReading, of_a_grid_that_explains_hardly_more_is_of_noise)
+{
+    const auto isNoise = [](double finer, int votesOfFiner, double coarser, int votesOfCoarser) {
+        ShapeReading f;
+        f.unexplainedShare = finer;
+        f.votes = votesOfFiner;
+        ShapeReading c;
+        c.unexplainedShare = coarser;
+        c.votes = votesOfCoarser;
+        return isOfNoise(f, c);
+    };
+    EXPECT_TRUE(isNoise(0.5, 5, 0.4, 5));
+    EXPECT_TRUE(isNoise(0.42, 5, 0.44, 5));
+    EXPECT_FALSE(isNoise(0.35, 5, 0.44, 5));
+    EXPECT_FALSE(isNoise(0.3, 5, 0.1, 5));
+    // Fewer are enough where the finer grid's levels disagree, and those of the coarser one do not.
+    EXPECT_TRUE(isNoise(0.15, 2, 0.1, 4));
+    EXPECT_FALSE(isNoise(0.15, 2, 0.1, 3));
+    EXPECT_FALSE(isNoise(0.15, 3, 0.1, 4));
+    EXPECT_FALSE(isNoise(0.05, 2, 0.01, 4));
+}
+
 TEST(ShapeReading, of_a_field_without_an_inside_has_no_parts)
 {
     const Grid nowhere(test::cube(8), -1);

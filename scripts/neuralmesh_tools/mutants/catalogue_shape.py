@@ -95,7 +95,7 @@ SHAPE: tuple[Mutant, ...] = (
     Mutant(
         "noise-is-resolved",
         "a grid whose cells are smaller than the noise says nothing about the shape",
-        _SHAPE,
+        _READING,
         "constexpr double mostNoise = 0.32;",
         "constexpr double mostNoise = 1;",
         ("CoarseShape.is_not_of_a_grid_whose_cells_are_smaller_than_the_noise",),
@@ -103,7 +103,7 @@ SHAPE: tuple[Mutant, ...] = (
     Mutant(
         "noise-parts-levels",
         "where noise parts the levels, the coarser grid's shape stays, on which they agree",
-        _SHAPE,
+        _READING,
         "constexpr double doubtfulNoise = 0.1;",
         "constexpr double doubtfulNoise = 1;",
         ("CoarseShape.is_not_of_a_grid_whose_levels_noise_and_strays_part",),
@@ -119,10 +119,10 @@ SHAPE: tuple[Mutant, ...] = (
     Mutant(
         "as-good-as-explained",
         "a finer grid that explains hardly more of what lies all over a volume is not gone on from",
-        _SHAPE,
+        _READING,
         "constexpr double asUnexplained = 0.9;",
         "constexpr double asUnexplained = 1;",
-        ("CoarseShape.of_a_solid_cube_has_no_handles",),
+        ("ShapeReading.of_a_grid_that_explains_hardly_more_is_of_noise",),
     ),
     Mutant(
         "tunnels-stay",
@@ -168,8 +168,8 @@ SHAPE: tuple[Mutant, ...] = (
         "not-the-simplest",
         "where hardly any levels agree, the simplest shape is taken",
         "core/shape/shape_reading.h",
-        "votes >= fewestVotes ? mostFrequent : simplest",
-        "votes >= 0 * fewestVotes ? mostFrequent : simplest",
+        "votes >= fewest ? mostFrequent : simplest",
+        "votes >= 0 * fewest ? mostFrequent : simplest",
         ("ShapeReading.takes_the_simplest_shape_where_hardly_any_levels_agree",),
     ),
     Mutant(
@@ -292,13 +292,5 @@ SHAPE: tuple[Mutant, ...] = (
         "        if (areas[of(v)] < least)\n            mesh.removeVertex(v);",
         "        static_cast<void>(least);",
         ("CoarseShape.of_an_open_sheet_among_strays_is_one_piece",),
-    ),
-    Mutant(
-        "crust-of-cells",
-        "the crust bridges gaps between sparse points",
-        "core/shape/coarse_shape.cpp",
-        "constexpr double crustOfSpacings = 2;",
-        "constexpr double crustOfSpacings = 0;",
-        ("CoarseShape.of_a_thin_wall_of_few_points_has_no_holes",),
     ),
 )
