@@ -20,7 +20,7 @@ constexpr std::size_t facesToDilate = 6;
 constexpr std::size_t longestRim = 600;
 /// Diagonals of all rims that a search fills, for each vertex: a crumpled mesh has hundreds of long
 /// ones, and no filling mends it.
-constexpr double mostDiagonals = 5;
+constexpr double mostDiagonals = 20;
 /// A filling must be so much better than the web, in squared distance.
 constexpr double leastGain = 0.5;
 /// Samples that are nearest to the web, as a share of those that so much mesh as the filling has. A
