@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "core/mesh/ring_topology.h"
@@ -18,6 +20,8 @@ constexpr std::size_t facesOfChunk = 512;
 /// Rounding leaves heights of 1e-16 in the unit frame: even of edges of 1e-5, 1e-11.
 constexpr Scalar flatness = 1e-9;
 
+using Corners3 = std::array<Point3, 3>;
+
 /// Six times the volume of a tetrahedron; positive where d is on the side of the normal of a, b, c.
 Scalar volume(const Point3 &a, const Point3 &b, const Point3 &c, const Point3 &d)
 {
@@ -27,7 +31,7 @@ Scalar volume(const Point3 &a, const Point3 &b, const Point3 &c, const Point3 &d
 /// Whether the edge from p to q passes through the triangle. What is small is so by the lengths of
 /// the edges: VCG takes a determinant below 1e-6 for parallel, which that of an edge and a face of
 /// 0.001 always is.
-bool pierces(const Point3 &p, const Point3 &q, const std::array<Point3, 3> &t)
+bool pierces(const Point3 &p, const Point3 &q, const Corners3 &t)
 {
     const Point3 normal = (t[1] - t[0]) ^ (t[2] - t[0]);
     const Scalar above = normal * (p - t[0]);
@@ -41,21 +45,71 @@ bool pierces(const Point3 &p, const Point3 &q, const std::array<Point3, 3> &t)
     return (a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0);
 }
 
+Corners3 cornersOf(const NeuralFace &face)
+{
+    return {face.cP(0), face.cP(1), face.cP(2)};
+}
+
+bool isCornerOf(const NeuralVertex *v, const NeuralFace &face)
+{
+    return v == face.cV(0) || v == face.cV(1) || v == face.cV(2);
+}
+
 /// Whether an edge of one face passes through the other. Those at a vertex of both do not, so that
 /// faces with an edge in common cannot.
 bool hasEdgeThrough(const NeuralFace &face, const NeuralFace &other)
 {
-    const std::array<Point3, 3> corners{other.cP(0), other.cP(1), other.cP(2)};
-    const auto isShared = [&](int corner) {
-        const NeuralVertex *v = face.cV(corner);
-        return v == other.cV(0) || v == other.cV(1) || v == other.cV(2);
-    };
+    const Corners3 corners = cornersOf(other);
     for (int i = 0; i < 3; ++i) {
         const int next = (i + 1) % 3;
-        if (!isShared(i) && !isShared(next) && pierces(face.cP(i), face.cP(next), corners))
+        if (!isCornerOf(face.cV(i), other) && !isCornerOf(face.cV(next), other) &&
+            pierces(face.cP(i), face.cP(next), corners))
             return true;
     }
     return false;
+}
+
+bool isInPlaneOf(const Corners3 &t, const Corners3 &other)
+{
+    const Point3 normal = (t[1] - t[0]) ^ (t[2] - t[0]);
+    const Scalar lengths = (t[1] - t[0]).Norm() * (t[2] - t[0]).Norm();
+    return std::all_of(other.begin(), other.end(), [&](const Point3 &p) {
+        return std::abs(normal * (p - t[0])) <= flatness * lengths * (p - t[0]).Norm();
+    });
+}
+
+/// Whether an edge of a triangle has all of another one, in its plane, on its other side.
+bool hasEdgeBetween(const Corners3 &t, const Corners3 &other)
+{
+    const Point3 normal = ((t[1] - t[0]) ^ (t[2] - t[0])).Normalize();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point3 edge = t[(i + 1) % 3] - t[i];
+        const auto isBeyond = [&](const Point3 &p) {
+            return (edge ^ (p - t[i])) * normal <= flatness * edge.Norm() * (p - t[i]).Norm();
+        };
+        if (std::all_of(other.begin(), other.end(), isBeyond))
+            return true;
+    }
+    return false;
+}
+
+/// Whether the faces lie in one plane, and one upon the other, by more than a border; those with an
+/// edge in common do not, of which one may be folded onto the other.
+bool overlapInPlane(const NeuralFace &face, const NeuralFace &other)
+{
+    int shared = 0;
+    for (int i = 0; i < 3; ++i)
+        shared += isCornerOf(face.cV(i), other) ? 1 : 0;
+    const Corners3 t = cornersOf(face);
+    const Corners3 u = cornersOf(other);
+    return shared < 2 && isInPlaneOf(t, u) && isInPlaneOf(u, t) && !hasEdgeBetween(t, u) &&
+           !hasEdgeBetween(u, t);
+}
+
+bool cross(const NeuralFace &face, const NeuralFace &other)
+{
+    return hasEdgeThrough(face, other) || hasEdgeThrough(other, face) ||
+           overlapInPlane(face, other);
 }
 
 Box3 boundsOf(const NeuralFace &face)
@@ -72,7 +126,7 @@ void addPartners(NeuralMesh &mesh, NeuralFace &face, const BoxTree &boxes,
     const std::size_t before = found.size();
     boxes.forEachMeeting(boundsOf(face), [&](std::uint32_t i) {
         NeuralFace *other = &mesh.face[i];
-        if (other > &face && (hasEdgeThrough(face, *other) || hasEdgeThrough(*other, face)))
+        if (other > &face && cross(face, *other))
             found.push_back(other);
     });
     if (found.size() > before)

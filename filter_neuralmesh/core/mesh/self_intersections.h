@@ -14,7 +14,7 @@ struct SelfIntersections {
 };
 
 /// Makes the mesh's faces anew, and tests those whose boxes meet with each other: whether an edge
-/// of one passes through the other, whatever their size. Faces that lie in one plane do not cross.
+/// of one passes through the other, whatever their size, or both lie upon each other in one plane.
 /// The mesh stays as it is where the watch of the workers throws.
 SelfIntersections findSelfIntersections(NeuralMesh &mesh, Workers &workers);
 SelfIntersections findSelfIntersections(NeuralMesh &mesh);

@@ -101,9 +101,6 @@ constexpr double thinnestPlate = 1;
 /// inside from outside there.
 constexpr float leastLevel = 0.25F;
 
-constexpr int fewestVotes = ShapeReading::fewestVotes;
-constexpr int clearVotes = ShapeReading::clearVotes;
-constexpr int allVotes = ShapeReading::levelCount;
 /// Shares of the area and of the points up to which a surface without votes is believed.
 constexpr double faultless = 0.01;
 
@@ -131,7 +128,7 @@ public:
     {
         learn(firstSmoothings);
         Reading reading = read();
-        isStable_ = isSheet_ && reading.shape.votes >= clearVotes;
+        isStable_ = isSheet_ && reading.shape.votes >= ShapeReading::clearVotes;
         hasWalls_ = areWallsThin();
         while (!isFineEnough(reading)) {
             Reading coarser = std::move(reading);
@@ -145,13 +142,15 @@ public:
             const int votes = reading.shape.votes;
             const bool isSame = reading.surface().hasShapeOf(coarser.surface());
             isRepeated_ = isSame;
-            isUnanimous_ = isSame && std::min(votes, coarser.shape.votes) == allVotes;
+            isUnanimous_ =
+                isSame && std::min(votes, coarser.shape.votes) == ShapeReading::levelCount;
             // What two grids have takes more than a few levels of a finer one to be overruled.
-            const bool isDoubtful = !isSame && votes < (isLast() ? fewestVotes : clearVotes);
+            const bool isDoubtful = !isSame && votes < (isLast() ? ShapeReading::fewestVotes
+                                                                 : ShapeReading::clearVotes);
             if (isDoubtful && (isStable_ || isLast()))
                 reading = std::move(coarser);
             else
-                isStable_ = isSame && (isStable_ || votes >= fewestVotes);
+                isStable_ = isSame && (isStable_ || votes >= ShapeReading::fewestVotes);
         }
         return judge(reading);
     }
@@ -174,7 +173,7 @@ private:
         ShapeReading shape;
         int cells = 0; ///< of the grid, per axis
 
-        const LevelSurface &surface() const { return shape.surface(fewestVotes); }
+        const LevelSurface &surface() const { return shape.surface(ShapeReading::fewestVotes); }
     };
 
     int resolution() const { return field_.field().resolution(); }
@@ -250,7 +249,7 @@ private:
 
     Reading learnLonger(Reading reading)
     {
-        while (reading.shape.votes < fewestVotes) {
+        while (reading.shape.votes < ShapeReading::fewestVotes) {
             const WindingField::State before = field_.state();
             for (int round = 0; round < moreRounds; ++round)
                 improve(lastSmoothings());
@@ -288,7 +287,7 @@ private:
         const Grid inside = insideness();
         const double far = supportRadii(resolution()).far * resolution();
         Reading reading{readShape(workers_, inside, points_, far), resolution()};
-        if (reading.shape.votes < fewestVotes)
+        if (reading.shape.votes < ShapeReading::fewestVotes)
             closeTunnels(reading.shape, workers_, inside, points_, far);
         spacingInGrid_ = std::sqrt(areaOf(reading.surface().soup) / pointCount_);
         unexplained_ = reading.shape.unexplainedShare;
@@ -311,7 +310,7 @@ private:
         shape.unsupportedShare = support_.farShare;
         shape.missedShare = s.missedShare;
         shape.isSheet = isSheet_;
-        shape.isClear = isStable_ || reading.shape.votes == allVotes;
+        shape.isClear = isStable_ || reading.shape.votes == ShapeReading::levelCount;
         shape.isTrusted = shape.isClear || isFaultless;
         return shape;
     }

@@ -53,6 +53,30 @@ TEST(SelfIntersections, a_face_that_crosses_several_counts_once)
     EXPECT_EQ(findSelfIntersections(mesh).faces, 4);
 }
 
+/// Two triangles in one tilted plane, the second moved along it.
+int crossingInPlane(Scalar along, bool isTurned)
+{
+    const Point3 x(0.6, 0.3, 0.2);
+    const Point3 y(-0.2, 0.7, 0.4);
+    const auto corner = [&](Scalar a, Scalar b) { return (x * a + y * b) * 1e-3; };
+    NeuralMesh mesh;
+    test::makeMesh(mesh,
+                   {corner(0, 0), corner(1, 0), corner(0, 1), corner(along, 0),
+                    corner(along + 1, 0), corner(along, 1)},
+                   {{0, 1, 2}, isTurned ? Corners{3, 5, 4} : Corners{3, 4, 5}});
+    return findSelfIntersections(mesh).faces;
+}
+
+TEST(SelfIntersections, faces_upon_each_other_in_one_plane_cross)
+{
+    for (const bool isTurned : {false, true}) {
+        EXPECT_EQ(crossingInPlane(0, isTurned), 2);
+        EXPECT_EQ(crossingInPlane(0.3, isTurned), 2);
+        EXPECT_EQ(crossingInPlane(1, isTurned), 0); // a corner in common
+        EXPECT_EQ(crossingInPlane(1.2, isTurned), 0);
+    }
+}
+
 TEST(SelfIntersections, neighbours_in_a_tilted_plane_do_not_cross)
 {
     // The rounding of their coordinates puts corners on either side of the others' planes.

@@ -76,8 +76,7 @@ TEST(CoarseShape, is_not_of_a_grid_whose_levels_noise_and_strays_part)
 }
 
 /// Points all over a cube, of which no surface explains more than a few: rounds more on the second
-/// grid lead to two hundred handles, and are taken back. Nor does that grid say more than the
-/// first.
+/// grid lead to two hundred handles, and are taken back.
 TEST(CoarseShape, of_a_solid_cube_has_no_handles)
 {
     Random random(1);

@@ -63,6 +63,14 @@ CLOSING: tuple[Mutant, ...] = (
         ("SheetDoubling.both_sides_keep_apart_over_ridges_and_valleys",),
     ),
     Mutant(
+        "sides-coincide",
+        "the two sides of a doubled sheet are parted",
+        "core/network/growing_network.cpp",
+        "constexpr Scalar thicknessOfSheets = 1e-3;",
+        "constexpr Scalar thicknessOfSheets = 0;",
+        ("Closing.doubles_a_sheet_to_any_count",),
+    ),
+    Mutant(
         "folds-stay",
         "folds of a sheet are smoothed before it is doubled",
         "core/closing.cpp",
@@ -85,6 +93,14 @@ CLOSING: tuple[Mutant, ...] = (
         "const bool isLast = room == 1 && !sheets_.isEmpty();",
         "const bool isLast = false;",
         ("Closing.adds_no_more_than_there_is_room_for",),
+    ),
+    Mutant(
+        "ragged-rims",
+        "what the disc over a ragged border crosses is smoothed",
+        "core/closing.cpp",
+        "return smoothIntersections(network_);",
+        "return network_.findSelfIntersections().faces;",
+        ("Closing.discs_over_a_ragged_border_cross_nothing",),
     ),
     Mutant(
         "boundary-without-neighbours",
