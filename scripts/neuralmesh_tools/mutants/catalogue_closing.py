@@ -142,4 +142,28 @@ CLOSING: tuple[Mutant, ...] = (
         "            origins.emplace_back(0, 0, 0);",
         ("Outward.a_mesh_far_from_the_origin_is_as_one_near_it",),
     ),
+    Mutant(
+        "crossing-corners-stay",
+        "corners of crossing faces are misplaced, whatever they win",
+        "core/network/census.cpp",
+        "    if (network.isOpenSurface())",
+        "    if (true)",
+        ("Census.corners_of_crossing_faces_are_misplaced_though_they_win",),
+    ),
+    Mutant(
+        "planes-have-no-tolerance",
+        "a corner that rounding puts beside the plane of a face is in it",
+        "core/mesh/self_intersections.cpp",
+        "constexpr Scalar flatness = 1e-9;",
+        "constexpr Scalar flatness = 0;",
+        ("SelfIntersections.neighbours_in_a_tilted_plane_do_not_cross",),
+    ),
+    Mutant(
+        "nothing-lies-upon-another",
+        "faces upon each other in one plane cross",
+        "core/mesh/self_intersections.cpp",
+        "return shared < 2 &&",
+        "return shared < 0 &&",
+        ("SelfIntersections.faces_upon_each_other_in_one_plane_cross",),
+    ),
 )
