@@ -60,7 +60,7 @@ GrowingNetwork::GrowingNetwork(NeuralMesh &startingMesh, const Box3 &bounds,
     : parameters_(parameters), rules_(LearningRules::of(parameters.splitRule)),
       workers_(workers ? *workers : alone_), mesh_(startingMesh), bounds_(bounds),
       smoothing_(parameters.smoothingRate, parameters.smoothingPasses),
-      batch_(mesh_, bounds, workers_), lastWin_(startingMesh)
+      batch_(mesh_, bounds, workers_), lastWin_(startingMesh), refused_(startingMesh)
 {
     forEachVertex(mesh_, [&](VertexId v) { enrol(v); });
     mesh_.follow(*this);
@@ -352,7 +352,7 @@ void GrowingNetwork::judgeOpenness(const SampleSupport &support)
 
 void GrowingNetwork::removeWebs(const SampleSupport &support)
 {
-    for (const Refilling &web : findWebs(mesh_, support)) {
+    for (const Refilling &web : findWebs(mesh_, support, refused_)) {
         refillDisc(mesh_, web.rim, web.interior, web.triangles);
         ++websRemoved_;
     }

@@ -18,6 +18,7 @@
 #include "core/network/star_splits.h"
 #include "core/parallel/workers.h"
 #include "core/space/vertex_grid.h"
+#include "core/topology/refused_patches.h"
 #include "core/topology/sample_support.h"
 #include "neuralmesh/parameters.h"
 
@@ -169,6 +170,7 @@ private:
     BatchLearning batch_;
     SignalCounters counters_;
     VertexData<std::uint64_t> lastWin_; ///< signals_ when the vertex last won or was made
+    RefusedPatches refused_;
     double decayPerSignal_ = 1;
     std::uint64_t signals_ = 0;
     std::uint64_t lastCollapse_ = 0;

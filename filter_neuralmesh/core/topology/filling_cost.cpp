@@ -75,8 +75,8 @@ double FillingCost::sizeInFaces(const std::vector<Corners> &faces) const
     return sum / (std::sqrt(Scalar(3)) / 4 * squaredEdge_);
 }
 
-std::vector<FillingCost::Missed> FillingCost::missed(const std::vector<OwnedSample> &samples,
-                                                     const std::vector<Corners> &faces) const
+std::vector<FillingCost::Missed> FillingCost::missed(const std::vector<Corners> &faces,
+                                                     const DistanceNow &distanceNow) const
 {
     std::vector<Missed> found;
     for (const Corners &face : faces) {
@@ -87,11 +87,8 @@ std::vector<FillingCost::Missed> FillingCost::missed(const std::vector<OwnedSamp
         };
         for (const Point3 &place : {centre, towards(t.a), towards(t.b), towards(t.c)}) {
             const SampleId id = support_.nearestId(place);
-            const auto sample = std::lower_bound(
-                samples.begin(), samples.end(), id,
-                [](const OwnedSample &owned, SampleId wanted) { return owned.id < wanted; });
-            if (sample != samples.end() && sample->id == id)
-                found.push_back({support_.samples()[id], area(t) / 4, sample->squaredDistance});
+            if (const std::optional<Scalar> now = distanceNow(id))
+                found.push_back({support_.samples()[id], area(t) / 4, *now});
         }
     }
     return found;

@@ -3,12 +3,13 @@
 // samples lie.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/mesh/face_table.h"
 #include "core/mesh/loop_triangulation.h"
 #include "core/mesh/neural_mesh.h"
-#include "core/topology/owned_samples.h"
 #include "core/topology/sample_support.h"
 
 namespace neuralmesh {
@@ -41,10 +42,13 @@ public:
         Scalar squaredDistance; ///< from the faces around its nearest vertex
     };
 
-    /// Those of some samples, in order, that are nearest to places on the faces. A limb cut short
-    /// is as near to the samples as the limb; the samples are not as near to it.
-    std::vector<Missed> missed(const std::vector<OwnedSample> &samples,
-                               const std::vector<Corners> &faces) const;
+    /// A sample's squared distance from the mesh, if it counts.
+    using DistanceNow = std::function<std::optional<Scalar>(SampleId)>;
+
+    /// Those of the samples that count that are nearest to places on the faces. A limb cut short is
+    /// as near to the samples as the limb; the samples are not as near to it.
+    std::vector<Missed> missed(const std::vector<Corners> &faces,
+                               const DistanceNow &distanceNow) const;
 
     /// Squared distances of the samples from the faces, by area. Stops where the sum reaches
     /// `most`.

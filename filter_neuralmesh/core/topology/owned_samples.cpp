@@ -18,21 +18,25 @@ double OwnedSamples::perFace() const
     return static_cast<double>(support_.samples().size()) / faces_.size();
 }
 
-std::vector<OwnedSample> OwnedSamples::of(const Patch &patch, const PatchSearch &patches)
+std::optional<Scalar> OwnedSamples::squaredDistance(SampleId sample, const PatchSearch &patches)
+{
+    const Foot &foot = footOf(sample);
+    if (!isOnPatch(foot, patches))
+        return std::nullopt;
+    return foot.squaredDistance;
+}
+
+std::size_t OwnedSamples::count(const Patch &patch, const PatchSearch &patches)
 {
     Box3 box;
     for (const std::vector<VertexId> *vertices : {&patch.rim, &patch.interior})
         for (const VertexId v : *vertices)
             box.Add(mesh_.position(v));
-    std::vector<OwnedSample> found;
+    std::size_t count = 0;
     support_.forEachWithin(box.Center(), box.Diag() / 2, [&](SampleId sample) {
-        const Foot &foot = footOf(sample);
-        if (isOnPatch(foot, patches))
-            found.push_back({sample, foot.squaredDistance});
+        count += isOnPatch(footOf(sample), patches) ? 1 : 0;
     });
-    std::sort(found.begin(), found.end(),
-              [](const OwnedSample &a, const OwnedSample &b) { return a.id < b.id; });
-    return found;
+    return count;
 }
 
 const OwnedSamples::Foot &OwnedSamples::footOf(SampleId sample)

@@ -14,20 +14,19 @@
 
 namespace neuralmesh {
 
-struct OwnedSample {
-    SampleId id;
-    Scalar squaredDistance; ///< from the faces around its nearest vertex
-};
-
 /// Holds references: nothing of the mesh may change meanwhile. Each sample's nearest point of the
 /// mesh is looked for once, when it is first needed.
 class OwnedSamples {
 public:
     OwnedSamples(const NeuralMesh &mesh, const FaceTable &faces, const SampleSupport &support);
 
-    /// The samples that are nearest to the patch, which must be the one found last, in order, with
-    /// those that are nearest to its rim. Looked at are the faces around a sample's nearest vertex.
-    std::vector<OwnedSample> of(const Patch &patch, const PatchSearch &patches);
+    /// The squared distance from the mesh of a sample that is nearest to the patch found last, or
+    /// to its rim. None of another sample. Looked at are the faces around a sample's nearest
+    /// vertex.
+    std::optional<Scalar> squaredDistance(SampleId sample, const PatchSearch &patches);
+
+    /// How many samples are nearest to the patch, which must be the one found last.
+    std::size_t count(const Patch &patch, const PatchSearch &patches);
 
     /// So many samples a face of the mesh has in the mean.
     double perFace() const;

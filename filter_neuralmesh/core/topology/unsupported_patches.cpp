@@ -6,6 +6,7 @@
 
 #include "core/mesh/edge_lengths.h"
 #include "core/mesh/enumeration.h"
+#include "core/topology/refused_patches.h"
 
 namespace neuralmesh {
 namespace {
@@ -24,14 +25,14 @@ constexpr VertexId verticesPerLook = 1024;
 } // namespace
 
 PatchSearch::PatchSearch(const NeuralMesh &mesh, const FaceTable &faces,
-                         const SampleSupport &support)
+                         const SampleSupport &support, const RefusedPatches &refused)
     : mesh_(mesh), faces_(faces), isFar_(3 * static_cast<std::size_t>(faces.size()), 0),
       isSeed_(faces.size(), 0), patchOf_(faces.size(), none), seenBy_(faces.size(), 0)
 {
-    judgeEdges(support);
+    judgeEdges(support, refused);
 }
 
-void PatchSearch::judgeEdges(const SampleSupport &support)
+void PatchSearch::judgeEdges(const SampleSupport &support, const RefusedPatches &refused)
 {
     forEachEdge(mesh_, [&](VertexId a, VertexId b) {
         if (a % verticesPerLook == 0)
@@ -39,19 +40,21 @@ void PatchSearch::judgeEdges(const SampleSupport &support)
         const Point3 middle = (mesh_.position(a) + mesh_.position(b)) / 2;
         if (support.hasWithin(middle, farDistance * edgeLength(mesh_, a, b)))
             return;
-        markFar(a, b);
-        markFar(b, a);
+        const bool isSeed = !refused.holds(a, b);
+        markFar(a, b, isSeed);
+        markFar(b, a, isSeed);
     });
 }
 
 /// The edge from a to b, of the face to its left.
-void PatchSearch::markFar(VertexId a, VertexId b)
+void PatchSearch::markFar(VertexId a, VertexId b, bool isSeed)
 {
     const FaceId face = faces_.leftOf(a, b);
     const Corners &corners = faces_.corners(face);
     const auto start = std::find(corners.begin(), corners.end(), a) - corners.begin();
     isFar_[std::size_t(3) * face + static_cast<std::size_t>(start)] = 1;
-    isSeed_[face] = 1;
+    if (isSeed)
+        isSeed_[face] = 1;
 }
 
 std::optional<Patch> PatchSearch::find(FaceId seed, PatchExtent extent)

@@ -10,6 +10,8 @@
 
 namespace neuralmesh {
 
+class RefusedPatches;
+
 /// Faces that make a disc.
 struct Patch {
     std::vector<FaceId> faces;
@@ -25,7 +27,9 @@ enum class PatchExtent { core, dilated };
 /// face, so each search is made for one mesh and forgotten.
 class PatchSearch {
 public:
-    PatchSearch(const NeuralMesh &mesh, const FaceTable &faces, const SampleSupport &support);
+    /// No patch starts where one was refused before and the mesh has not moved since.
+    PatchSearch(const NeuralMesh &mesh, const FaceTable &faces, const SampleSupport &support,
+                const RefusedPatches &refused);
 
     /// Whether an edge of the face is so far from all samples that a patch may start here. False
     /// for faces of patches found before, and where a search has spread to from another seed: it
@@ -45,8 +49,8 @@ public:
 private:
     static constexpr int none = -1;
 
-    void judgeEdges(const SampleSupport &support);
-    void markFar(VertexId a, VertexId b);
+    void judgeEdges(const SampleSupport &support, const RefusedPatches &refused);
+    void markFar(VertexId a, VertexId b, bool isSeed);
     void spread(std::vector<FaceId> &patch, std::size_t from);
     void dilate(std::vector<FaceId> &patch);
     bool fillIslands(std::vector<FaceId> &patch);

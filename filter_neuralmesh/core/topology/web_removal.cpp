@@ -30,10 +30,10 @@ constexpr double leastOwned = 0.25;
 
 class WebSearch {
 public:
-    WebSearch(const NeuralMesh &mesh, const SampleSupport &support)
-        : mesh_(mesh), support_(support), faces_(mesh), patches_(mesh, faces_, support),
-          owned_(mesh, faces_, support), isTaken_(mesh.idBound(), 0),
-          diagonalsLeft_(mostDiagonals * mesh.vn)
+    WebSearch(const NeuralMesh &mesh, const SampleSupport &support, RefusedPatches &refused)
+        : mesh_(mesh), support_(support), refused_(refused), faces_(mesh),
+          patches_(mesh, faces_, support, refused), owned_(mesh, faces_, support),
+          isTaken_(mesh.idBound(), 0), diagonalsLeft_(mostDiagonals * mesh.vn)
     {
     }
 
@@ -58,12 +58,15 @@ private:
             if (!patch)
                 continue;
             faces = patch->faces.size();
-            if (patch->rim.size() <= longestRim && isFree(*patch) && pay(*patch))
+            if (patch->rim.size() <= longestRim && isFree(*patch) && pay(*patch)) {
                 if (std::optional<Refilling> refilling = betterFilling(*patch)) {
                     take(*patch);
                     found_.push_back(std::move(*refilling));
                     return;
                 }
+                if (extent == PatchExtent::dilated)
+                    refused_.add(*patch);
+            }
             patches_.release(*patch);
         }
     }
@@ -109,14 +112,11 @@ private:
         });
         if (!(filling.weight < leastGain * weightNow))
             return std::nullopt;
-        const std::vector<OwnedSample> owned = owned_.of(patch, patches_);
         const std::vector<Corners> after = cornersOf(patch.rim, filling.triangles);
-        const double enough = leastOwned * owned_.perFace() * cost.sizeInFaces(after);
-        if (static_cast<double>(owned.size()) < enough)
-            return std::nullopt;
         std::vector<Corners> both = before;
         both.insert(both.end(), after.begin(), after.end());
-        const std::vector<FillingCost::Missed> missed = cost.missed(owned, both);
+        const std::vector<FillingCost::Missed> missed = cost.missed(
+            both, [&](SampleId sample) { return owned_.squaredDistance(sample, patches_); });
         double missedNow = 0;
         for (const FillingCost::Missed &sample : missed)
             missedNow += sample.area * sample.squaredDistance;
@@ -129,11 +129,15 @@ private:
         // is to be taken is worth the time.
         if (!isBetter(missedNow) || !isBetter(cost.distances(missed, before)))
             return std::nullopt;
+        const double enough = leastOwned * owned_.perFace() * cost.sizeInFaces(after);
+        if (static_cast<double>(owned_.count(patch, patches_)) < enough)
+            return std::nullopt;
         return Refilling{patch.rim, patch.interior, std::move(filling.triangles)};
     }
 
     const NeuralMesh &mesh_;
     const SampleSupport &support_;
+    RefusedPatches &refused_;
     const FaceTable faces_;
     PatchSearch patches_;
     OwnedSamples owned_;
@@ -144,9 +148,10 @@ private:
 
 } // namespace
 
-std::vector<Refilling> findWebs(const NeuralMesh &mesh, const SampleSupport &support)
+std::vector<Refilling> findWebs(const NeuralMesh &mesh, const SampleSupport &support,
+                                RefusedPatches &refused)
 {
-    return WebSearch(mesh, support).run();
+    return WebSearch(mesh, support, refused).run();
 }
 
 } // namespace neuralmesh

@@ -11,6 +11,7 @@
 
 #include "core/mesh/loop_triangulation.h"
 #include "core/mesh/neural_mesh.h"
+#include "core/topology/refused_patches.h"
 #include "core/topology/sample_support.h"
 
 namespace neuralmesh {
@@ -23,7 +24,9 @@ struct Refilling {
 };
 
 /// Where the mesh spans voids and could do better. The discs have no vertices in common, so the
-/// refillings can be applied one after the other.
-std::vector<Refilling> findWebs(const NeuralMesh &mesh, const SampleSupport &support);
+/// refillings can be applied one after the other. Larger patches for which nothing better is found
+/// are added to those refused before, and are not looked at again until the mesh moves there.
+std::vector<Refilling> findWebs(const NeuralMesh &mesh, const SampleSupport &support,
+                                RefusedPatches &refused);
 
 } // namespace neuralmesh

@@ -91,12 +91,13 @@ struct FoundWeb {
     NeuralMesh mesh;
     SampleSupport support;
     FaceTable faces;
+    RefusedPatches refused;
     PatchSearch search;
     std::optional<Patch> patch;
 
     FoundWeb()
-        : support(makeWebAndSupport(mesh)), faces(mesh), search(mesh, faces, support),
-          patch(firstPatch(search))
+        : support(makeWebAndSupport(mesh)), faces(mesh), refused(mesh),
+          search(mesh, faces, support, refused), patch(firstPatch(search))
     {
     }
 
@@ -107,6 +108,12 @@ struct FoundWeb {
         return supportOfPosts(mesh, gap);
     }
 };
+
+std::vector<Refilling> findWebs(const NeuralMesh &mesh, const SampleSupport &support)
+{
+    RefusedPatches none(mesh);
+    return neuralmesh::findWebs(mesh, support, none);
+}
 
 TEST(WebRemoval, refilling_a_web_leaves_a_closed_two_manifold_of_the_same_topology)
 {
@@ -215,13 +222,13 @@ void makePlate(NeuralMesh &mesh, VertexId size, Scalar thickness)
 /// Samples of its sides, and of a piece of one edge.
 constexpr VertexId sizeOfPlate = 14;
 constexpr Scalar thickness = 2.5;
-std::vector<Point3> samplesOfPlate()
+std::vector<Point3> samplesOfPlate(VertexId size = sizeOfPlate)
 {
     constexpr Scalar step = 0.25;
     std::vector<Point3> samples;
     for (const Scalar z : {Scalar(0), thickness})
-        for (Scalar x = 0; x <= sizeOfPlate - 1; x += step)
-            for (Scalar y = 0; y <= sizeOfPlate - 1; y += step)
+        for (Scalar x = 0; x <= size - 1; x += step)
+            for (Scalar y = 0; y <= size - 1; y += step)
                 samples.emplace_back(x, y, z);
     for (Scalar z = 0; z <= thickness; z += step)
         for (Scalar x = 0; x <= 3; x += step)
@@ -240,11 +247,36 @@ TEST(WebRemoval, a_wall_that_was_not_scanned_stays)
     EXPECT_TRUE(findWebs(mesh, SampleSupport(bounds, samplesOfPlate())).empty());
 }
 
-const OwnedSample *find(const std::vector<OwnedSample> &owned, SampleId sample)
+int seedsOf(const NeuralMesh &mesh, const SampleSupport &support, const RefusedPatches &refused)
 {
-    const auto found = std::find_if(owned.begin(), owned.end(),
-                                    [&](const OwnedSample &each) { return each.id == sample; });
-    return found == owned.end() ? nullptr : &*found;
+    const FaceTable faces(mesh);
+    const PatchSearch search(mesh, faces, support, refused);
+    int seeds = 0;
+    for (FaceId face = 0; face < faces.size(); ++face)
+        seeds += search.isSeed(face) ? 1 : 0;
+    return seeds;
+}
+
+/// What stays is looked at again only where the mesh has moved.
+TEST(RefusedPatches, a_wall_that_stays_is_searched_once_until_it_moves)
+{
+    NeuralMesh mesh;
+    constexpr VertexId size = 8;
+    makePlate(mesh, size, thickness);
+    const SampleSupport support({{0, 0, 0}, {size - 1, size - 1, thickness}}, samplesOfPlate(size));
+    RefusedPatches refused(mesh);
+    EXPECT_GT(seedsOf(mesh, support, refused), 0);
+    neuralmesh::findWebs(mesh, support, refused);
+    EXPECT_EQ(seedsOf(mesh, support, refused), 0);
+
+    // In the middle of the edge opposite to the piece that was scanned.
+    const VertexId onRim = size * (size - 1) + size / 2;
+    mesh.position(onRim).Y() += Scalar(0.1);
+    EXPECT_EQ(seedsOf(mesh, support, refused), 0) << "a sample's pull";
+    mesh.position(onRim).Y() += Scalar(0.9);
+    const int seeds = seedsOf(mesh, support, refused);
+    EXPECT_GT(seeds, 0);
+    EXPECT_LE(seeds, mesh.valence(onRim));
 }
 
 /// Outside the edge where a side and the unscanned wall meet, one is as near as the other.
@@ -260,12 +292,14 @@ TEST(OwnedSamples, of_a_patch_are_those_beyond_its_rim_too)
     const Box3 bounds({0, -1, -1}, {sizeOfPlate - 1, sizeOfPlate - 1, thickness + 1});
     const SampleSupport support(bounds, samples);
     const FaceTable faces(mesh);
-    PatchSearch search(mesh, faces, support);
+    const RefusedPatches refused(mesh);
+    PatchSearch search(mesh, faces, support, refused);
     const std::optional<Patch> wall = firstPatch(search);
     ASSERT_TRUE(wall);
-    const std::vector<OwnedSample> owned = OwnedSamples(mesh, faces, support).of(*wall, search);
+    OwnedSamples owned(mesh, faces, support);
     for (auto sample = static_cast<SampleId>(beyond); sample < samples.size(); ++sample)
-        EXPECT_TRUE(find(owned, sample)) << sample - beyond;
+        EXPECT_TRUE(owned.squaredDistance(sample, search)) << sample - beyond;
+    EXPECT_GE(owned.count(*wall, search), samples.size() - beyond);
 }
 
 /// Those of the walls that are missing: of no other is the web the nearest.
@@ -274,8 +308,8 @@ TEST(OwnedSamples, of_a_web_are_nearest_to_its_faces)
     FoundWeb web;
     ASSERT_TRUE(web.patch);
     const std::vector<Point3> &samples = web.support.samples();
-    const std::vector<OwnedSample> owned =
-        OwnedSamples(web.mesh, web.faces, web.support).of(*web.patch, web.search);
+    OwnedSamples owned(web.mesh, web.faces, web.support);
+    std::size_t count = 0;
     std::size_t others = 0;
     for (SampleId sample = 0; sample < samples.size(); ++sample) {
         Scalar toWeb = std::numeric_limits<Scalar>::max();
@@ -288,17 +322,19 @@ TEST(OwnedSamples, of_a_web_are_nearest_to_its_faces)
                                                    web.mesh.position(c[2])},
                                                   samples[sample]));
         }
-        const OwnedSample *found = find(owned, sample);
+        const std::optional<Scalar> found = owned.squaredDistance(sample, web.search);
+        count += found ? 1 : 0;
         if (toWeb < beside * (1 - 1e-9)) {
             ASSERT_TRUE(found) << sample;
-            EXPECT_GE(found->squaredDistance, toWeb * (1 - 1e-9)) << sample;
+            EXPECT_GE(*found, toWeb * (1 - 1e-9)) << sample;
         } else if (beside < toWeb * (1 - 1e-9)) {
             others += found ? 1 : 0;
         }
     }
     // A nearer face may be one that the nearest vertex is no corner of.
-    EXPECT_FALSE(owned.empty());
-    EXPECT_LE(others, owned.size() / 20);
+    EXPECT_GT(count, 0U);
+    EXPECT_LE(others, count / 20);
+    EXPECT_EQ(owned.count(*web.patch, web.search), count);
 }
 
 } // namespace

@@ -297,8 +297,8 @@ GROWTH: tuple[Mutant, ...] = (
         "fillings-have-all-samples",
         "samples of what is beside a web are not missed by what fills it",
         "core/topology/owned_samples.cpp",
-        "        if (isOnPatch(foot, patches))",
-        "",
+        "    if (!isOnPatch(foot, patches))",
+        "    if (false)",
         ("OwnedSamples.of_a_web_are_nearest_to_its_faces",),
     ),
     Mutant(
@@ -316,6 +316,22 @@ GROWTH: tuple[Mutant, ...] = (
         "        if (p.weights[k] > 0)",
         "        if (p.weights[k] >= 0)",
         ("OwnedSamples.of_a_patch_are_those_beyond_its_rim_too",),
+    ),
+    Mutant(
+        "refused-for-nothing",
+        "a patch that was refused is not searched again where nothing has moved",
+        "core/topology/refused_patches.cpp",
+        "            places_[v] = mesh_.position(v);",
+        "            {}",
+        ("RefusedPatches.a_wall_that_stays_is_searched_once_until_it_moves",),
+    ),
+    Mutant(
+        "refused-for-ever",
+        "a patch that was refused is searched again once the mesh has moved there",
+        "core/topology/refused_patches.cpp",
+        "    return stays(a) && stays(b);",
+        "    return places_[a].X() < nowhere && places_[b].X() < nowhere;",
+        ("RefusedPatches.a_wall_that_stays_is_searched_once_until_it_moves",),
     ),
     Mutant(
         "webs-are-found-again",
