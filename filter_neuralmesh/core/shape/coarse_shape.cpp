@@ -256,7 +256,8 @@ private:
             Reading longer = read();
             if (longer.shape.unexplainedShare >= leastProgress * reading.shape.unexplainedShare) {
                 field_.goBack(before);
-                return read();
+                note(reading);
+                return reading;
             }
             reading = std::move(longer);
         }
@@ -289,9 +290,14 @@ private:
         Reading reading{readShape(workers_, inside, points_, far), resolution()};
         if (reading.shape.votes < ShapeReading::fewestVotes)
             closeTunnels(reading.shape, workers_, inside, points_, far);
+        note(reading);
+        return reading;
+    }
+
+    void note(const Reading &reading)
+    {
         spacingInGrid_ = std::sqrt(areaOf(reading.surface().soup) / pointCount_);
         unexplained_ = reading.shape.unexplainedShare;
-        return reading;
     }
 
     CoarseShape judge(const Reading &reading)

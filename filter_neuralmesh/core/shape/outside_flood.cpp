@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/shape/grid_place.h"
 #include "core/topology/closure_cost.h"
@@ -10,11 +11,29 @@
 namespace neuralmesh {
 namespace {
 
-/// Points that lie so many cells inside are not of the field's surface.
-constexpr double deep = 1;
-/// But of its noise, which reaches as far to both sides: where so many lie as far outside, for each
-/// of them, none counts.
-constexpr double mostNoise = 1.0 / 3;
+/// Points that lie deeper inside than this, in cells, may be of another surface than the field's.
+constexpr double deep = 0.5;
+/// But of its noise, which reaches as far to both sides, are some of those that lie deeper than
+/// where so many lie as far outside, for each of them.
+constexpr double mostNoise = 0.2;
+
+/// The least depth beyond which hardly any point is of noise; infinity where there is none.
+double depthOfHidden(std::vector<double> depths)
+{
+    std::sort(depths.begin(), depths.end(),
+              [](double a, double b) { return std::abs(a) > std::abs(b); });
+    double least = std::numeric_limits<double>::infinity();
+    double inside = 0;
+    double outside = 0;
+    for (const double depth : depths) {
+        if (std::abs(depth) <= deep)
+            break;
+        (depth > 0 ? inside : outside) += 1;
+        if (outside <= mostNoise * inside)
+            least = std::abs(depth);
+    }
+    return least;
+}
 
 } // namespace
 
@@ -129,21 +148,16 @@ void OutsideFlood::judgePockets()
 /// the field has there: by node, points that are hidden less those that are not.
 void OutsideFlood::findHidden()
 {
-    std::vector<bool> isHidden;
-    isHidden.reserve(points_.size());
-    std::size_t hidden = 0;
-    std::size_t without = 0;
-    for (const Point3 &point : points_) {
-        const double depth = cellsBeyondLevel(inside_, placeInGrid(inside_, point));
-        isHidden.push_back(depth > deep);
-        hidden += depth > deep ? 1 : 0;
-        without += depth < -deep ? 1 : 0;
-    }
+    std::vector<double> depths;
+    depths.reserve(points_.size());
+    for (const Point3 &point : points_)
+        depths.push_back(cellsBeyondLevel(inside_, placeInGrid(inside_, point)));
+    const double least = depthOfHidden(depths);
     hidden_.assign(states_.size(), 0);
-    if (static_cast<double>(without) > mostNoise * static_cast<double>(hidden))
-        return;
-    for (std::size_t i = 0; i < points_.size(); ++i)
-        forEachAround(points_[i], [&](std::size_t node) { hidden_[node] += isHidden[i] ? 1 : -1; });
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const int vote = depths[i] >= least ? 1 : -1;
+        forEachAround(points_[i], [&](std::size_t node) { hidden_[node] += vote; });
+    }
 }
 
 /// Faces between the pocket and the crust around points that the field explains.

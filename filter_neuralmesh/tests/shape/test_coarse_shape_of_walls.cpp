@@ -91,6 +91,15 @@ TEST(CoarseShape, parts_the_sides_of_thin_walls)
         }
 }
 
+TEST(CoarseShape, of_a_vase_of_few_points_has_no_lid)
+{
+    for (const double height : {1.0, 1.5, 2.0})
+        for (const double thickness : {0.12, 0.14, 0.16}) {
+            SCOPED_TRACE(testing::Message() << height << " " << thickness);
+            expectShape(vase(3000, height, thickness, 0.8), 1, 0);
+        }
+}
+
 TEST(CoarseShape, of_walls_as_thick_as_their_points_are_apart_has_no_tunnels)
 {
     for (const std::size_t count : {3000, 4000, 5000})

@@ -122,6 +122,26 @@ TEST(OutsideFlood, opens_a_mouth_behind_which_a_second_side_has_points)
     EXPECT_LT(flood.doubledShare(), 0.1); // both sides have points: nothing but the brim is doubled
 }
 
+TEST(OutsideFlood, opens_a_mouth_whose_second_side_is_less_than_a_cell_behind)
+{
+    // As where few points make a thin wall: its surface on the field lies between its sides.
+    constexpr double radius = 0.35;
+    constexpr double height = 1 - 2.0 / 16;
+    const auto inAndOut = [](int i) { return i % 2 == 0 ? 0.2 : -0.8; };
+    const OutsideFlood flood(ball(cube, radius, centre), wall(radius, height, inAndOut), reach);
+    EXPECT_TRUE(isOutside(flood, centre));
+}
+
+TEST(OutsideFlood, leaves_a_ball_of_whose_points_some_lie_a_little_inside)
+{
+    // Half a cell and more: as many lie as far outside.
+    constexpr double radius = 0.35;
+    constexpr double height = 1 - 2.0 / 16;
+    const auto toBothSides = [](int i) { return 0.8 * std::cos(i); };
+    const OutsideFlood flood(ball(cube, radius, centre), wall(radius, height, toBothSides), reach);
+    EXPECT_FALSE(isOutside(flood, centre));
+}
+
 TEST(OutsideFlood, takes_noise_for_no_second_side)
 {
     // Half of the points are off, as far to the one side as to the other.

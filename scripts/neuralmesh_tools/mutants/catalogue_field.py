@@ -149,9 +149,17 @@ FIELD: tuple[Mutant, ...] = (
         "noise-is-a-second-side",
         "points that noise has taken inside are no second side",
         _FLOOD,
-        "constexpr double mostNoise = 1.0 / 3;",
+        "constexpr double mostNoise = 0.2;",
         "constexpr double mostNoise = 10;",
         ("OutsideFlood.takes_noise_for_no_second_side",),
+    ),
+    Mutant(
+        "thin-walls-stay-inside",
+        "a second side may lie half a cell behind the first",
+        _FLOOD,
+        "constexpr double deep = 0.5;",
+        "constexpr double deep = 1;",
+        ("OutsideFlood.opens_a_mouth_whose_second_side_is_less_than_a_cell_behind",),
     ),
     Mutant(
         "dense-points-stay",
