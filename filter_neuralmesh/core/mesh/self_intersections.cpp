@@ -13,8 +13,8 @@
 namespace neuralmesh {
 namespace {
 
-/// Faces that a thread tests at a time.
-constexpr std::size_t facesOfChunk = 512;
+/// Leaves of the tree, each of a few faces, that a thread tests at a time.
+constexpr std::size_t leavesOfChunk = 64;
 
 /// A corner counts as in the plane of a face up to this height, in lengths of the edge at it.
 /// Rounding leaves heights of 1e-16 in the unit frame: even of edges of 1e-5, 1e-11.
@@ -119,20 +119,6 @@ Box3 boundsOf(const NeuralFace &face)
     return bounds;
 }
 
-/// Faces after this one that intersect it, and then this one.
-void addPartners(NeuralMesh &mesh, NeuralFace &face, const BoxTree &boxes,
-                 std::vector<NeuralFace *> &found)
-{
-    const std::size_t before = found.size();
-    boxes.forEachMeeting(boundsOf(face), [&](std::uint32_t i) {
-        NeuralFace *other = &mesh.face[i];
-        if (other > &face && cross(face, *other))
-            found.push_back(other);
-    });
-    if (found.size() > before)
-        found.push_back(&face);
-}
-
 /// Sorts, and leaves each only once.
 template <class T> void sortOnce(std::vector<T> &values)
 {
@@ -150,11 +136,15 @@ SelfIntersections findSelfIntersections(NeuralMesh &mesh, Workers &workers)
     for (const NeuralFace &face : mesh.face)
         bounds.push_back(boundsOf(face));
     const BoxTree boxes(std::move(bounds));
-    std::vector<std::vector<NeuralFace *>> ofChunks(mesh.face.size() / facesOfChunk + 1);
+    std::vector<std::vector<NeuralFace *>> ofChunks(boxes.leafCount() / leavesOfChunk + 1);
     workers.forEachChunk(
-        mesh.face.size(), facesOfChunk, [&](std::size_t first, std::size_t end, int) {
-            for (std::size_t i = first; i < end; ++i)
-                addPartners(mesh, mesh.face[i], boxes, ofChunks[first / facesOfChunk]);
+        boxes.leafCount(), leavesOfChunk, [&](std::size_t first, std::size_t end, int) {
+            std::vector<NeuralFace *> &crossing = ofChunks[first / leavesOfChunk];
+            for (std::size_t leaf = first; leaf < end; ++leaf)
+                boxes.forEachPair(leaf, [&](std::uint32_t i, std::uint32_t j) {
+                    if (cross(mesh.face[i], mesh.face[j]))
+                        crossing.insert(crossing.end(), {&mesh.face[i], &mesh.face[j]});
+                });
         });
     std::vector<NeuralFace *> faces;
     for (const std::vector<NeuralFace *> &ofChunk : ofChunks)

@@ -40,7 +40,8 @@ int labelParts(const TriangleSoup &soup, std::vector<int> &label)
     };
     for (const Corners &face : soup.faces)
         for (const VertexId v : {face[1], face[2]})
-            parent[root(v)] = root(face[0]);
+            if (parent[v] != parent[face[0]])
+                parent[root(v)] = root(face[0]);
     label.assign(soup.points.size(), -1);
     int count = 0;
     for (VertexId v = 0; v < parent.size(); ++v) {

@@ -13,11 +13,16 @@ constexpr std::uint32_t boxesOfLeaf = 8;
 
 } // namespace
 
-BoxTree::BoxTree(std::vector<Box3> boxes) : boxes_(std::move(boxes)), order_(boxes_.size())
+BoxTree::BoxTree(std::vector<Box3> boxes) : order_(boxes.size()), boxes_(std::move(boxes))
 {
     std::iota(order_.begin(), order_.end(), 0U);
     if (!boxes_.empty())
         build(0, static_cast<std::uint32_t>(boxes_.size()));
+    std::vector<Box3> ordered;
+    ordered.reserve(boxes_.size());
+    for (const std::uint32_t i : order_)
+        ordered.push_back(boxes_[i]);
+    boxes_ = std::move(ordered);
 }
 
 void BoxTree::build(std::uint32_t first, std::uint32_t end)
@@ -29,8 +34,10 @@ void BoxTree::build(std::uint32_t first, std::uint32_t end)
         nodes_[at].bounds.Add(boxes_[order_[i]]);
         centres.Add(boxes_[order_[i]].Center());
     }
-    if (end - first <= boxesOfLeaf)
+    if (end - first <= boxesOfLeaf) {
+        leaves_.push_back(static_cast<std::uint32_t>(at));
         return;
+    }
     const int axis = centres.MaxDim();
     const std::uint32_t middle = first + (end - first) / 2;
     std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + end,

@@ -19,24 +19,31 @@ class BoxTree {
 public:
     explicit BoxTree(std::vector<Box3> boxes);
 
-    /// Calls visit(i) for each of the boxes that the given one meets or touches.
-    template <class Visit> void forEachMeeting(const Box3 &box, const Visit &visit) const
+    /// Of the tree: each has a few boxes that are near each other.
+    std::size_t leafCount() const { return leaves_.size(); }
+
+    /// Calls visit(i, j) for each pair of boxes that meet or touch, one of which is of the leaf; of
+    /// pairs whose boxes are of two leaves, for that leaf that comes first.
+    template <class Visit> void forEachPair(std::size_t leafNumber, const Visit &visit) const
     {
-        std::vector<std::uint32_t> open(nodes_.empty() ? 0 : 1, 0);
-        while (!open.empty()) {
-            const std::uint32_t at = open.back();
+        const Node &own = nodes_[leaves_[leafNumber]];
+        std::array<std::uint32_t, mostDepth> open;
+        std::size_t count = 0;
+        open[count++] = 0;
+        while (count > 0) {
+            const std::uint32_t at = open[--count];
             const Node &node = nodes_[at];
-            open.pop_back();
-            if (!meet(node.bounds, box))
+            if (node.end <= own.first || !meet(node.bounds, own.bounds))
                 continue;
             if (node.second != leaf) {
-                open.push_back(at + 1);
-                open.push_back(node.second);
+                open[count++] = at + 1;
+                open[count++] = node.second;
                 continue;
             }
-            for (std::uint32_t i = node.first; i < node.end; ++i)
-                if (meet(boxes_[order_[i]], box))
-                    visit(order_[i]);
+            for (std::uint32_t i = own.first; i < own.end; ++i)
+                for (std::uint32_t j = std::max(i + 1, node.first); j < node.end; ++j)
+                    if (meet(boxes_[i], boxes_[j]))
+                        visit(order_[i], order_[j]);
         }
     }
 
@@ -109,9 +116,10 @@ private:
 
     void build(std::uint32_t first, std::uint32_t end);
 
-    std::vector<Box3> boxes_;
     std::vector<std::uint32_t> order_;
+    std::vector<Box3> boxes_; ///< in that order, once the tree is built
     std::vector<Node> nodes_;
+    std::vector<std::uint32_t> leaves_; ///< nodes
 };
 
 } // namespace neuralmesh

@@ -13,10 +13,15 @@
 namespace neuralmesh {
 namespace {
 
-std::vector<std::uint32_t> meeting(const BoxTree &tree, const Box3 &box)
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+Pairs meeting(const BoxTree &tree)
 {
-    std::vector<std::uint32_t> found;
-    tree.forEachMeeting(box, [&](std::uint32_t i) { found.push_back(i); });
+    Pairs found;
+    for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf)
+        tree.forEachPair(leaf, [&](std::uint32_t i, std::uint32_t j) {
+            found.emplace_back(std::min(i, j), std::max(i, j));
+        });
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -34,19 +39,17 @@ std::vector<Box3> crowdedBoxes(std::size_t count)
     return boxes;
 }
 
-TEST(BoxTree, finds_all_boxes_that_meet_another_and_no_more)
+TEST(BoxTree, finds_all_pairs_of_boxes_that_meet_each_once)
 {
     for (const std::size_t count :
          {std::size_t(1), std::size_t(8), std::size_t(9), std::size_t(700)}) {
         const std::vector<Box3> boxes = crowdedBoxes(count);
-        const BoxTree tree(boxes);
-        for (const Box3 &box : boxes) {
-            std::vector<std::uint32_t> expected;
-            for (std::uint32_t i = 0; i < count; ++i)
-                if (boxes[i].Collide(box))
-                    expected.push_back(i);
-            EXPECT_EQ(meeting(tree, box), expected);
-        }
+        Pairs expected;
+        for (std::uint32_t i = 0; i < count; ++i)
+            for (std::uint32_t j = i + 1; j < count; ++j)
+                if (boxes[i].Collide(boxes[j]))
+                    expected.emplace_back(i, j);
+        EXPECT_EQ(meeting(BoxTree(boxes)), expected);
     }
 }
 
@@ -89,8 +92,9 @@ TEST(BoxTree, finds_the_nearest_point_among_few)
 TEST(BoxTree, finds_boxes_without_a_width_and_nothing_where_there_are_none)
 {
     const Box3 flat({0, 0, 0}, {1, 1, 0});
-    EXPECT_EQ(meeting(BoxTree({flat, flat, flat}), flat).size(), 3U);
-    EXPECT_TRUE(meeting(BoxTree({}), flat).empty());
+    const Box3 beside({1, 0, 0}, {2, 1, 0});
+    EXPECT_EQ(meeting(BoxTree({flat, flat, beside})).size(), 3U);
+    EXPECT_TRUE(meeting(BoxTree({})).empty());
 }
 
 } // namespace

@@ -8,6 +8,7 @@ from neuralmesh_tools.mutants.catalogue_field import FIELD
 from neuralmesh_tools.mutants.catalogue_growth import GROWTH
 from neuralmesh_tools.mutants.catalogue_samplers import SAMPLERS
 from neuralmesh_tools.mutants.catalogue_shape import SHAPE
+from neuralmesh_tools.mutants.catalogue_webs import WEBS
 from neuralmesh_tools.mutants.mutant import Mutant
 
-MUTANTS: tuple[Mutant, ...] = GROWTH + FIELD + SHAPE + CLOSING + SAMPLERS
+MUTANTS: tuple[Mutant, ...] = GROWTH + WEBS + FIELD + SHAPE + CLOSING + SAMPLERS

@@ -281,7 +281,8 @@ SHAPE: tuple[Mutant, ...] = (
         "rounds-that-explain-nothing-stay",
         "rounds more that do not explain more are taken back",
         _SHAPE,
-        "                field_.goBack(before);\n                return read();",
+        "                field_.goBack(before);\n                note(reading);\n"
+        "                return reading;",
         "                return longer;",
         ("CoarseShape.of_a_solid_cube_has_no_handles",),
     ),
