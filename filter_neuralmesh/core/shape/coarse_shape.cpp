@@ -97,6 +97,9 @@ constexpr double sidesInCells = 2;
 /// Sides that are nearer, in cells of the usual grid, are not told apart by any grid.
 constexpr double thinnestPlate = 1;
 
+/// Between points that are no further apart, in cells, a thin wall has no tunnels.
+constexpr double densePoints = 0.5;
+
 /// The level is at the least this: a field that stays below it around some points does not tell
 /// inside from outside there.
 constexpr float leastLevel = 0.25F;
@@ -288,7 +291,8 @@ private:
         const Grid inside = insideness();
         const double far = supportRadii(resolution()).far * resolution();
         Reading reading{readShape(workers_, inside, points_, far), resolution()};
-        if (reading.shape.votes < ShapeReading::fewestVotes)
+        note(reading);
+        if (reading.shape.votes < ShapeReading::fewestVotes && spacing() > densePoints)
             closeTunnels(reading.shape, workers_, inside, points_, far);
         note(reading);
         return reading;
