@@ -291,7 +291,7 @@ private:
         const Grid inside = insideness();
         const double far = supportRadii(resolution()).far * resolution();
         Reading reading{readShape(workers_, inside, points_, far), resolution()};
-        note(reading);
+        note(reading); // its spacing
         if (reading.shape.votes < ShapeReading::fewestVotes && spacing() > densePoints)
             closeTunnels(reading.shape, workers_, inside, points_, far);
         note(reading);

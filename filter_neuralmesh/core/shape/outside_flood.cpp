@@ -13,8 +13,8 @@ namespace {
 
 /// Points that lie deeper inside than this, in cells, may be of another surface than the field's.
 constexpr double deep = 0.5;
-/// But of its noise, which reaches as far to both sides, are some of those that lie deeper than
-/// where so many lie as far outside, for each of them.
+/// But some are of its noise, which reaches as far to both sides: up to the depth beyond which so
+/// many lie as far outside, for each of those inside.
 constexpr double mostNoise = 0.2;
 
 /// The least depth beyond which hardly any point is of noise; infinity where there is none.
@@ -150,8 +150,10 @@ void OutsideFlood::findHidden()
 {
     std::vector<double> depths;
     depths.reserve(points_.size());
-    for (const Point3 &point : points_)
-        depths.push_back(cellsBeyondLevel(inside_, placeInGrid(inside_, point)));
+    for (const Point3 &point : points_) {
+        const double depth = cellsBeyondLevel(inside_, placeInGrid(inside_, point));
+        depths.push_back(std::isnan(depth) ? 0 : depth); // of a field that is 0 all around
+    }
     const double least = depthOfHidden(depths);
     hidden_.assign(states_.size(), 0);
     for (std::size_t i = 0; i < points_.size(); ++i) {
