@@ -318,6 +318,7 @@ bool GrowingNetwork::isInactive(VertexId v) const
 void GrowingNetwork::collapseInactive(const SampleSupport &support)
 {
     lastCollapse_ = signals_;
+    refused_.clear(); // since when all has moved, and the network has grown by an eighth
     std::vector<VertexId> inactive;
     forEachVertex(mesh_, [&](VertexId v) {
         if (isInactive(v))

@@ -15,6 +15,9 @@ class RefusedPatches {
 public:
     explicit RefusedPatches(const NeuralMesh &mesh);
 
+    /// Forgets all of them.
+    void clear() { places_.reset(); }
+
     /// A patch is to stay as long as its vertices stand where they stand now.
     void add(const Patch &patch);
 
