@@ -167,16 +167,23 @@ inline void addTorusAside(Scene &scene)
     addSamplesOf(scene, torus);
 }
 
-/// Step 6 on the scene's network, in which every vertex has won. `mesh` is what it makes of it.
-/// Returns how many webs were removed.
-inline int collapseInactive(NeuralMesh &mesh, const Scene &scene)
+/// Around the scene's mesh and samples.
+inline Box3 boundsOf(const Scene &scene)
 {
-    makeMesh(mesh, scene.points, scene.faces);
     Box3 bounds;
     for (const Point3 &p : scene.points)
         bounds.Add(p);
     for (const Point3 &p : scene.samples)
         bounds.Add(p);
+    return bounds;
+}
+
+/// Step 6 on the scene's network, in which every vertex has won. `mesh` is what it makes of it.
+/// Returns how many webs were removed.
+inline int collapseInactive(NeuralMesh &mesh, const Scene &scene)
+{
+    makeMesh(mesh, scene.points, scene.faces);
+    const Box3 bounds = boundsOf(scene);
     GrowingNetwork network(mesh, bounds, GrowthParameters{});
     network.collapse({}, SampleSupport(bounds, scene.samples));
     return network.websRemoved();

@@ -291,13 +291,15 @@ private:
         const Grid inside = insideness();
         const double far = supportRadii(resolution()).far * resolution();
         Reading reading{readShape(workers_, inside, points_, far), resolution()};
-        note(reading); // its spacing
-        if (reading.shape.votes < ShapeReading::fewestVotes && spacing() > densePoints)
-            closeTunnels(reading.shape, workers_, inside, points_, far);
         note(reading);
+        if (reading.shape.votes < ShapeReading::fewestVotes && spacing() > densePoints) {
+            closeTunnels(reading.shape, workers_, inside, points_, far);
+            note(reading);
+        }
         return reading;
     }
 
+    /// What all that follows goes by.
     void note(const Reading &reading)
     {
         spacingInGrid_ = std::sqrt(areaOf(reading.surface().soup) / pointCount_);

@@ -20,8 +20,10 @@ constexpr double mostNoise = 0.2;
 /// The least depth beyond which hardly any point is of noise; infinity where there is none.
 double depthOfHidden(std::vector<double> depths)
 {
-    std::sort(depths.begin(), depths.end(),
-              [](double a, double b) { return std::abs(a) > std::abs(b); });
+    // The deepest first, and of equal ones those outside, so that no order of them counts.
+    std::sort(depths.begin(), depths.end(), [](double a, double b) {
+        return std::abs(a) != std::abs(b) ? std::abs(a) > std::abs(b) : a < b;
+    });
     double least = std::numeric_limits<double>::infinity();
     double inside = 0;
     double outside = 0;

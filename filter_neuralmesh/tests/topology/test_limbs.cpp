@@ -65,6 +65,36 @@ TEST(Limbs, samples_within_a_web_do_not_hold_it)
     }
 }
 
+/// While a net hangs between the legs, of so few samples that faces span its meshes, the web stays.
+/// Consolidation, in which next to nothing moves, does not search it again; growth does.
+TEST(Limbs, a_web_that_was_refused_is_searched_again_by_growth)
+{
+    const Legs legs;
+    constexpr Scalar step = 1.3;
+    Scene scene;
+    test::addWebbedLegs(scene, legs);
+    test::addSamplesOfLegs(scene, legs);
+    test::addTorusAside(scene);
+    std::vector<Point3> withNet = scene.samples;
+    for (Scalar x = step / 2; x < legs.gap; x += step)
+        for (Scalar z = step / 2; z < legs.bottomOfBody(); z += step)
+            for (const Scalar y : {-legs.radius, legs.radius})
+                withNet.emplace_back(x, y, z);
+    const Box3 bounds = test::boundsOf(scene);
+    NeuralMesh mesh;
+    test::makeMesh(mesh, scene.points, scene.faces);
+    GrowingNetwork network(mesh, bounds, GrowthParameters{});
+    network.collapse({}, SampleSupport(bounds, withNet));
+    ASSERT_FALSE(network.isOpenSurface());
+    ASSERT_EQ(network.websRemoved(), 0);
+    const SampleSupport support(bounds, scene.samples);
+    network.collapse({}, support);
+    EXPECT_EQ(network.websRemoved(), 0);
+    network.collapseInactive(support);
+    EXPECT_GT(network.websRemoved(), 0);
+    expectTwoWholeLegs(mesh, scene, legs);
+}
+
 /// The web's front and back sheets hang together by the faces between the feet only, which a stray
 /// sample supports.
 TEST(Limbs, a_sample_between_the_feet_does_not_hold_a_web)

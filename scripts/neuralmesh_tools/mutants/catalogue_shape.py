@@ -128,8 +128,8 @@ SHAPE: tuple[Mutant, ...] = (
         "tunnels-stay",
         "tunnels of thin walls, where levels disagree on them, are closed",
         _SHAPE,
-        "        if (reading.shape.votes < ShapeReading::fewestVotes && spacing() > densePoints)",
-        "        if (reading.shape.votes < 0 && spacing() > densePoints)",
+        "        if (reading.shape.votes < ShapeReading::fewestVotes && spacing() > densePoints) {",
+        "        if (reading.shape.votes < 0 && spacing() > densePoints) {",
         ("CoarseShape.of_walls_as_thick_as_their_points_are_apart_has_no_tunnels",),
     ),
     Mutant(

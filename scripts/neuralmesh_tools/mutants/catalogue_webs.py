@@ -127,6 +127,14 @@ WEBS: tuple[Mutant, ...] = (
         ("RefusedPatches.a_wall_that_stays_is_searched_once_until_it_moves",),
     ),
     Mutant(
+        "refused-through-growth",
+        "searches of growth try again what was refused before",
+        "core/network/growing_network.cpp",
+        "    refused_.clear();",
+        "    {}",
+        ("Limbs.a_web_that_was_refused_is_searched_again_by_growth",),
+    ),
+    Mutant(
         "refused-for-ever",
         "a patch that was refused is searched again once the mesh has moved there",
         "core/topology/refused_patches.cpp",
