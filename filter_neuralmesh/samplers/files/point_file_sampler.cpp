@@ -49,8 +49,8 @@ std::uint64_t randomIndex(Random &random, std::uint64_t count)
 
 std::vector<Point3> pilotOf(const PointRecords &records)
 {
-    return neuralmesh::pilotOf(records.count(),
-                               [&](std::uint64_t index) { return records.point(index); });
+    return everyNth(records.count(), OutlierFilter::pilotPoints,
+                    [&](std::uint64_t index) { return records.point(index); });
 }
 
 bool contains(const vcg::Box3d &box, const vcg::Box3d &other)
@@ -105,7 +105,8 @@ void PointFileSampler::setFrame(const vcg::Box3d &worldBounds)
 void PointFileSampler::setAsideOutliers(const vcg::Box3d &worldBounds, const Progress &progress)
 {
     drawn_ = tolerated(worldBounds);
-    filter_ = OutlierFilter(pilotOf(records_), records_.count() <= OutlierFilter::pilotPoints);
+    filter_ = OutlierFilter::of(records_.count(),
+                                [&](std::uint64_t index) { return records_.point(index); });
     if (!filter_.isActive()) {
         setFrame(worldBounds);
         return;

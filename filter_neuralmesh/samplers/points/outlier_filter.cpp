@@ -86,13 +86,11 @@ bool strays(std::size_t index, const std::vector<Point3> &pilot, PointTree &tree
 } // namespace
 
 OutlierFilter::OutlierFilter(const std::vector<Point3> &points)
-    : OutlierFilter(pilotOf(points.size(), [&](std::uint64_t i) { return points[i]; }),
-                    points.size() <= pilotPoints)
+    : OutlierFilter(of(points.size(), [&](std::uint64_t i) { return points[i]; }))
 {
 }
 
-OutlierFilter::OutlierFilter(const std::vector<Point3> &drawn, bool isWhole)
-    : pilotGrid_(RobustFrame::usualBox(), pilot_)
+OutlierFilter::OutlierFilter(const std::vector<Point3> &drawn, bool isWhole) : OutlierFilter()
 {
     if (drawn.size() < leastPoints)
         return;
@@ -135,23 +133,27 @@ void OutlierFilter::learn(bool isWhole)
     }
     for (const Point3 &point : pilot_)
         isAlone_.push_back(isAlone(point));
-    findSparseParts(tree);
+    findSparseParts();
     findSmallGroups();
 }
 
-/// Among those alone, but for strays off a surface: many of these, at one distance, would be one
-/// themselves.
-void OutlierFilter::findSparseParts(PointTree &all)
+/// Among those alone and all others at their spacing: of a part that is three times as sparse, some
+/// points are alone, and some of their neighbours. Not among strays off a surface: many of these,
+/// at one distance, would be one themselves.
+void OutlierFilter::findSparseParts()
 {
-    std::vector<std::size_t> indices;
-    std::vector<Point3> alone;
-    for (std::size_t i = 0; i < pilot_.size(); ++i)
-        if (isAlone_[i] && !strays_.contains(pilot_[i])) {
-            indices.push_back(i);
-            alone.push_back(pilot_[i]);
-        }
-    const std::vector<double> reaches = reachesInSparseParts(alone, all);
     reaches_.assign(pilot_.size(), 0);
+    if (std::find(isAlone_.begin(), isAlone_.end(), true) == isAlone_.end())
+        return;
+    std::vector<std::size_t> indices;
+    std::vector<Point3> sparse;
+    for (std::size_t i = 0; i < pilot_.size(); ++i)
+        if (!pilotGrid_.hasWithin(pilot_[i], radius_ / strayRatio, neighbours + 1) &&
+            !strays_.contains(pilot_[i])) {
+            indices.push_back(i);
+            sparse.push_back(pilot_[i]);
+        }
+    const std::vector<double> reaches = reachesInSparseParts(sparse);
     for (std::size_t i = 0; i < indices.size(); ++i)
         reaches_[indices[i]] = reaches[i];
 }
@@ -190,7 +192,8 @@ bool OutlierFilter::isDirtNear(std::size_t pilot, double distance, bool isAlone)
 
 bool OutlierFilter::isAlone(const Point3 &inFrame) const
 {
-    // A pilot point finds itself, another point does not: one more or less of eight is no matter.
+    // One of the others finds itself, another point does not: one more or less of eight is no
+    // matter.
     return radius_ > 0 &&
            (!pilotGrid_.hasWithin(inFrame, radius_, neighbours + 1) || strays_.contains(inFrame));
 }

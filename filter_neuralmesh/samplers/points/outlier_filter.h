@@ -13,6 +13,19 @@
 
 namespace neuralmesh {
 
+/// Every n-th of `count` points: `most` of them, or all.
+template <class PointAt>
+std::vector<Point3> everyNth(std::uint64_t count, std::size_t most, const PointAt &pointAt)
+{
+    const std::uint64_t chosen = std::min<std::uint64_t>(count, most);
+    std::vector<Point3> points;
+    points.reserve(static_cast<std::size_t>(chosen));
+    // No overflow: a mapped file holds fewer than 2^44 points.
+    for (std::uint64_t i = 0; i < chosen; ++i)
+        points.push_back(pointAt(i * count / chosen));
+    return points;
+}
+
 /// Tells points that stand alone from points of a surface, in constant time for each, whatever the
 /// size of the cloud: by how many of at most 20,000 pilot points lie around.
 ///
@@ -26,10 +39,16 @@ namespace neuralmesh {
 /// than 500 points, or where more than a fifth of the places would be: that is how the cloud is,
 /// not dirt in it. Points at the very same place count as one: invalid returns are often stored as
 /// 0 0 0.
+///
+/// Pilot points tell whether a cloud has outliers. In one that has, up to 100,000 take their place:
+/// their spacing is smaller, so that they tell a stray near a surface from the surface, and the
+/// parts that are sparser from strays.
 class OutlierFilter {
 public:
     /// Pilot points at the most.
     static constexpr std::size_t pilotPoints = 20000;
+    /// Where these hold an outlier.
+    static constexpr std::size_t morePilotPoints = 100000;
 
     /// Of no cloud: not active.
     OutlierFilter() : pilotGrid_(RobustFrame::usualBox(), pilot_) {}
@@ -37,8 +56,17 @@ public:
     /// Learns from every n-th of the points, given in any unit and however far from each other.
     explicit OutlierFilter(const std::vector<Point3> &points);
 
-    /// Learns from pilot points; isWhole: whether the cloud has no others.
-    OutlierFilter(const std::vector<Point3> &drawn, bool isWhole);
+    /// The same of `count` points, of which pointAt(i) gives one.
+    template <class PointAt> static OutlierFilter of(std::uint64_t count, const PointAt &pointAt)
+    {
+        const bool isWhole = count <= pilotPoints;
+        OutlierFilter filter(everyNth(count, pilotPoints, pointAt), isWhole);
+        if (!isWhole && filter.share() > 0)
+            if (OutlierFilter closer(everyNth(count, morePilotPoints, pointAt), isWhole);
+                closer.isActive())
+                return closer;
+        return filter;
+    }
 
     /// Whether the cloud is one in which outliers are told from others. Where not, none is one.
     bool isActive() const { return isActive_; }
@@ -53,8 +81,9 @@ public:
     bool isOutlier(const Point3 &point) const { return isActive_ && isDirt(frame_.toFrame(point)); }
 
 private:
+    OutlierFilter(const std::vector<Point3> &drawn, bool isWhole);
     void learn(bool isWhole);
-    void findSparseParts(PointTree &all);
+    void findSparseParts();
     void findSmallGroups();
     bool isDirt(const Point3 &inFrame) const;
     bool isDirtNear(std::size_t pilot, double distance, bool isAlone) const;
@@ -72,17 +101,5 @@ private:
     double share_ = 0;
     bool isActive_ = false;
 };
-
-/// Every n-th of `count` points, as many as the filter looks at or all.
-template <class PointAt> std::vector<Point3> pilotOf(std::uint64_t count, const PointAt &pointAt)
-{
-    const std::uint64_t chosen = std::min<std::uint64_t>(count, OutlierFilter::pilotPoints);
-    std::vector<Point3> pilot;
-    pilot.reserve(static_cast<std::size_t>(chosen));
-    // No overflow: a mapped file holds fewer than 2^44 points.
-    for (std::uint64_t i = 0; i < chosen; ++i)
-        pilot.push_back(pointAt(i * count / chosen));
-    return pilot;
-}
 
 } // namespace neuralmesh

@@ -54,11 +54,9 @@ Choice withoutOutliers(const std::vector<Point> &world)
                 places.push_back(toVcg(world[i]));
         }
     }
+    const auto pointAt = [&](std::uint64_t i) { return toVcg(world[i]); };
     const OutlierFilter filter =
-        areCompared
-            ? OutlierFilter(places)
-            : OutlierFilter(pilotOf(world.size(), [&](std::uint64_t i) { return toVcg(world[i]); }),
-                            false);
+        areCompared ? OutlierFilter(places) : OutlierFilter::of(world.size(), pointAt);
     if (!filter.isActive())
         return choice;
     const bool isWithin = std::all_of(world.begin(), world.end(), [&](const Point &point) {

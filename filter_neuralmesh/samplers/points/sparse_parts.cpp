@@ -2,6 +2,7 @@
 #include "samplers/points/sparse_parts.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/space/point_statistics.h"
 #include "core/space/point_tree.h"
@@ -15,8 +16,11 @@ constexpr int directions = 8;
 /// same of a wire. Eight directions at random have 0.4 in the median, on a sphere of 400 points
 /// 0.02.
 constexpr double mostFlatness = 0.1;
-/// A neighbour is at the spacing of a point where its own is not smaller by more than this factor.
-constexpr double mostSpacingRatio = 2.5;
+/// Others of its part are no further from a point than so many times its spacing.
+constexpr double reachInSpacings = 2.5;
+/// Points have one spacing up to this factor: the standard deviation of that of random points on a
+/// surface is 18 %.
+constexpr double likeSpacing = 1.5;
 
 /// Whether the neighbours of a point are in a plane with it, or in a line.
 bool hasSurroundings(const std::vector<Point3> &points, std::size_t index,
@@ -33,16 +37,6 @@ bool hasSurroundings(const std::vector<Point3> &points, std::size_t index,
            variances[1] <= mostFlatness * variances[2];
 }
 
-/// Whether at least two neighbours are no closer to theirs than this point is to its own: a stray
-/// that looks at a part from outside has none.
-bool isAtSpacingOf(const std::vector<std::size_t> &neighbours, std::size_t index,
-                   const std::vector<double> &distances)
-{
-    return std::count_if(neighbours.begin(), neighbours.end(), [&](std::size_t other) {
-               return distances[index] <= mostSpacingRatio * distances[other];
-           }) >= 2;
-}
-
 using Neighbourhoods = std::vector<std::vector<std::size_t>>;
 
 /// By point: whether most of it and its neighbours are so.
@@ -57,35 +51,53 @@ std::vector<bool> majorities(const std::vector<bool> &are, const Neighbourhoods 
     return found;
 }
 
-/// By point: whether it lies in a sparser part. Chance makes patches of strays look like one, which
-/// neighbours of neighbours outvote.
-std::vector<bool> inParts(const std::vector<Point3> &alone, PointTree &tree,
-                          const std::vector<double> &distances)
+/// By point: whether it lies in a sparser part. Chance makes strays look like one, which their
+/// neighbours outvote.
+std::vector<bool> inParts(const std::vector<Point3> &sparse, PointTree &tree)
 {
     Neighbourhoods neighbours;
     std::vector<bool> are;
-    for (std::size_t i = 0; i < alone.size(); ++i) {
+    for (std::size_t i = 0; i < sparse.size(); ++i) {
         neighbours.push_back(tree.neighbours(i, directions));
-        are.push_back(hasSurroundings(alone, i, neighbours[i]));
+        are.push_back(hasSurroundings(sparse, i, neighbours[i]));
     }
-    are = majorities(majorities(are, neighbours), neighbours);
-    for (std::size_t i = 0; i < alone.size(); ++i)
-        are[i] = are[i] && isAtSpacingOf(neighbours[i], i, distances);
-    return are;
+    return majorities(are, neighbours);
+}
+
+/// By point: whether it is in a part, or most points at its spacing are.
+std::vector<bool> withSpacingOfParts(const std::vector<bool> &areInParts,
+                                     const std::vector<double> &distances)
+{
+    std::vector<std::size_t> order(distances.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+    std::vector<bool> found = areInParts;
+    std::size_t first = 0, last = 0; // those at the spacing of a point, and the one after them
+    std::size_t inParts = 0;         // how many of these are
+    for (const std::size_t i : order) {
+        for (; last < order.size() && distances[order[last]] <= likeSpacing * distances[i]; ++last)
+            inParts += areInParts[order[last]] ? 1 : 0;
+        for (; likeSpacing * distances[order[first]] < distances[i]; ++first)
+            inParts -= areInParts[order[first]] ? 1 : 0;
+        found[i] = found[i] || 2 * inParts > last - first;
+    }
+    return found;
 }
 
 } // namespace
 
-std::vector<double> reachesInSparseParts(const std::vector<Point3> &alone, PointTree &all)
+std::vector<double> reachesInSparseParts(const std::vector<Point3> &sparse)
 {
-    std::vector<double> reaches(alone.size(), 0);
-    if (alone.size() <= directions)
+    std::vector<double> reaches(sparse.size(), 0);
+    if (sparse.size() <= directions)
         return reaches;
-    PointTree tree(alone);
-    const std::vector<bool> isInPart = inParts(alone, tree, tree.distances(directions));
-    for (std::size_t i = 0; i < alone.size(); ++i)
-        if (isInPart[i])
-            reaches[i] = mostSpacingRatio * all.distance(alone[i], directions);
+    PointTree tree(sparse);
+    const std::vector<double> distances = tree.distances(directions);
+    const std::vector<bool> areInParts = withSpacingOfParts(inParts(sparse, tree), distances);
+    for (std::size_t i = 0; i < sparse.size(); ++i)
+        if (areInParts[i])
+            reaches[i] = reachInSpacings * distances[i];
     return reaches;
 }
 

@@ -145,6 +145,58 @@ TEST(OutlierFilter, takes_a_sparse_half_for_a_surface)
     EXPECT_LT(filter.share(), 0.01);
 }
 
+std::size_t outliersAfter(std::size_t first, const std::vector<Point3> &points)
+{
+    const OutlierFilter filter(points);
+    return static_cast<std::size_t>(
+        std::count_if(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(),
+                      [&](const Point3 &point) { return filter.isOutlier(point); }));
+}
+
+/// Points of a ring as thick as said, 130,000 for each unit; of those at one side, one in ten.
+std::vector<Point3> ringWithSparseHalf(double thickness)
+{
+    Random random(8);
+    std::vector<Point3> points;
+    const auto count = static_cast<std::size_t>(130000 * thickness);
+    while (points.size() < count) {
+        const double along = 2 * M_PI * random.unit();
+        const double across = 2 * M_PI * random.unit();
+        const double radius = 1 + thickness / 2 * std::cos(across);
+        if (random.unit() * (1 + thickness) < radius && (along < M_PI || random.unit() < 0.1))
+            points.emplace_back(radius * std::cos(along), radius * std::sin(along),
+                                thickness / 2 * std::sin(across));
+    }
+    return points;
+}
+
+TEST(OutlierFilter, keeps_a_sparse_half)
+{
+    // Three times the spacing: some points are alone and some are not.
+    const std::vector<Point3> points = ringWithSparseHalf(0.3);
+    EXPECT_LE(outliersAfter(0, points), 4U);
+}
+
+TEST(OutlierFilter, keeps_sparse_limbs_that_are_no_thicker_than_their_points_are_apart)
+{
+    // None has its neighbours in a plane, but those of the thick ring, at the same spacing, have.
+    std::vector<Point3> points = ringWithSparseHalf(0.3);
+    for (const Point3 &point : ringWithSparseHalf(0.03))
+        points.push_back(point + Point3(0, 0, 1));
+    EXPECT_LE(outliersAfter(0, points), 4U);
+}
+
+TEST(OutlierFilter, finds_strays_that_look_at_a_sparse_part_from_outside)
+{
+    // The neighbours of each, in the sparse half, lie in one direction from it.
+    std::vector<Point3> points = ringWithSparseHalf(0.3);
+    const std::size_t strays = points.size();
+    for (int i = 0; i < 5; ++i)
+        points.emplace_back(0, -2 - 3 * i, i);
+    EXPECT_EQ(outliersAfter(strays, points), 5U);
+    EXPECT_LE(outliersAfter(0, points), 9U);
+}
+
 TEST(OutlierFilter, finds_few_strays_at_any_distance)
 {
     // As many at each order of distance: the neighbours of most lie in one direction, which by
@@ -175,6 +227,18 @@ TEST(OutlierFilter, finds_strays_between_the_pilot_points)
         EXPECT_EQ(sampler.outliers().count, 2U);
         EXPECT_NEAR(sampler.frame().diagonal(), std::sqrt(12), 0.01);
     }
+}
+
+TEST(OutlierFilter, finds_strays_that_are_nearer_to_a_surface_than_its_pilot_points)
+{
+    // 0.06 to 0.09 from it: 20,000 pilot points have as much between them, 100,000 have half of it.
+    test::WorldPoints points = test::spherePoints(100000, 1);
+    Random random(9);
+    for (const vcg::Point3d &place : test::spherePoints(1000, 2))
+        points.push_back(place * (1.06 + 0.03 * random.unit()));
+    const auto found = PointCloudSampler(points).outliers().count;
+    EXPECT_GE(found, 990U);
+    EXPECT_LE(found, 1000U);
 }
 
 TEST(OutlierFilter, finds_a_place_that_is_stored_a_thousand_times)
@@ -221,6 +285,22 @@ TEST(OutlierFilter, strays_in_a_plane_by_chance_are_no_part)
     }
 }
 
+TEST(OutlierFilter, strays_of_heavy_tails_are_no_part)
+{
+    // Each coordinate is Cauchy-distributed: strays are as dense as the surface next to it, and
+    // thin out to a thousand radii.
+    std::vector<Point3> points = test::spherePoints(20000, 1);
+    Random random(6);
+    const auto cauchy = [&] { return 2 * std::tan(M_PI * (random.unit() - 0.5)); };
+    while (points.size() < 21000) {
+        const Point3 place(cauchy(), cauchy(), cauchy());
+        if (std::abs(place.Norm() - 1) > 0.5)
+            points.push_back(place);
+    }
+    EXPECT_GE(outliersAfter(20000, points), 1000U);
+    EXPECT_EQ(outliersAfter(0, points), 1000U);
+}
+
 /// Points of a floor, one by one.
 std::vector<Point3> floorOf(int points, double side)
 {
@@ -231,14 +311,6 @@ std::vector<Point3> floorOf(int points, double side)
     for (Point3 &point : floor)
         point.Z() = 0;
     return floor;
-}
-
-std::size_t outliersAfter(std::size_t first, const std::vector<Point3> &points)
-{
-    const OutlierFilter filter(points);
-    return static_cast<std::size_t>(
-        std::count_if(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(),
-                      [&](const Point3 &point) { return filter.isOutlier(point); }));
 }
 
 TEST(OutlierFilter, keeps_sparse_returns_of_the_same_ground_among_strays)

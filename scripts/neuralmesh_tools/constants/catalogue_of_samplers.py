@@ -37,13 +37,17 @@ OF_SAMPLERS: dict[Key, Entry] = {
         [
             ("directions", "4", "16", "neighbours"),
             ("mostFlatness", "0.05", "0.2", "share of the variance"),
-            ("mostSpacingRatio", "1.25", "5", "distances"),
+            ("reachInSpacings", "1.25", "5", "distances"),
+            ("likeSpacing", "1.25", "2", "spacings", "half and double of what is above 1"),
         ],
     ),
     **swept(
         "samplers/points/outlier_filter.h",
         OUTLIERS,
-        [("pilotPoints", "10000", "40000", "points")],
+        [
+            ("pilotPoints", "10000", "40000", "points"),
+            ("morePilotPoints", "50000", "200000", "points"),
+        ],
     ),
     **fixed(_FILTER, [("madToDeviation", "ratio", "1 / Φ⁻¹(3/4) of the normal distribution")]),
     **swept(
