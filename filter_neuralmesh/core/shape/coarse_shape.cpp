@@ -17,6 +17,7 @@
 #include "core/shape/surface_support.h"
 #include "core/shape/two_sides.h"
 #include "core/shape/winding_field.h"
+#include "core/space/point_groups.h"
 
 namespace neuralmesh {
 namespace {
@@ -312,9 +313,12 @@ private:
         cells_ = reading.cells;
         soup_ = s.soup;
         support_ = supportOf(reading);
-        // A surface far from all points closes what is open: a fault, unless two grids have it.
+        // A surface far from all points closes what is open: a fault, unless two grids have it. And
+        // points in company that it misses are a part, as of a fold.
         const bool isFaultless =
-            s.missedShare < faultless && (support_.farShare < faultless || isRepeated_);
+            s.missedShare < faultless && (support_.farShare < faultless || isRepeated_) &&
+            static_cast<double>(largestGroup(s.missed, supportRadii(cells_).far)) <
+                ShapeReading::leastPoints;
         CoarseShape shape;
         shape.cells = cells_;
         shape.components = s.components;

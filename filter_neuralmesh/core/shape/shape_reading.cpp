@@ -107,15 +107,15 @@ LevelSurface judge(TriangleSoup soup, const std::vector<Point3> &points, int rea
     const auto parts = static_cast<std::size_t>(labelParts(soup, label));
     finder.setSurface(soup, label);
     std::vector<double> held(parts, 0);
-    std::size_t missed = 0;
     for (const Point3 &p : points) {
         const int part = finder.near(p, reach);
         if (part == PartFinder::none)
-            ++missed;
+            surface.missed.push_back(p);
         else
             ++held[static_cast<std::size_t>(part)];
     }
-    surface.missedShare = static_cast<double>(missed) / static_cast<double>(points.size());
+    surface.missedShare =
+        static_cast<double>(surface.missed.size()) / static_cast<double>(points.size());
     std::vector<double> corners(parts, 0);
     std::vector<double> faces(parts, 0);
     for (const int part : label)

@@ -16,7 +16,8 @@ struct LevelSurface {
     TriangleSoup soup;
     int components = 0;
     int genus = 0; ///< sum over the components
-    /// Share of the points that are far from the surface.
+    /// Points that are far from the surface, and their share of all.
+    std::vector<Point3> missed;
     double missedShare = 0;
 
     bool hasShapeOf(const LevelSurface &other) const
