@@ -138,8 +138,9 @@ void OutlierFilter::learn(bool isWhole)
 }
 
 /// Among those alone and all others at their spacing: of a part that is three times as sparse, some
-/// points are alone, and some of their neighbours. Not among strays off a surface: many of these,
-/// at one distance, would be one themselves.
+/// points are alone, and some of their neighbours. Not among strays off a surface, nor so far away
+/// that their distances are not true: many of these, at one distance, would be a surface
+/// themselves.
 void OutlierFilter::findSparseParts()
 {
     reaches_.assign(pilot_.size(), 0);
@@ -149,7 +150,7 @@ void OutlierFilter::findSparseParts()
     std::vector<Point3> sparse;
     for (std::size_t i = 0; i < pilot_.size(); ++i)
         if (!pilotGrid_.hasWithin(pilot_[i], radius_ / strayRatio, neighbours + 1) &&
-            !strays_.contains(pilot_[i])) {
+            !strays_.contains(pilot_[i]) && !RobustFrame::isFarAway(pilot_[i])) {
             indices.push_back(i);
             sparse.push_back(pilot_[i]);
         }

@@ -10,6 +10,11 @@ namespace {
 /// From here on, in units of the frame, distances grow with the logarithm.
 constexpr Scalar farAway = 1e6;
 
+Scalar greatestCoordinate(const Point3 &place)
+{
+    return std::max({std::abs(place.X()), std::abs(place.Y()), std::abs(place.Z())});
+}
+
 Scalar quantile(std::vector<Scalar> &values, double share)
 {
     const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -42,11 +47,16 @@ Point3 RobustFrame::toFrame(const Point3 &point) const
 {
     // In halves: the difference of the largest numbers that there are is no number.
     const Point3 half = point / 2 - middle_ / 2;
-    const Scalar along = std::max({std::abs(half.X()), std::abs(half.Y()), std::abs(half.Z())});
+    const Scalar along = greatestCoordinate(half);
     const Scalar distance = std::min(2 * (along / unit_), 1e300);
     if (distance <= farAway)
         return half / unit_ * 2;
     return half / along * (farAway * (1 + std::log(distance / farAway)));
+}
+
+bool RobustFrame::isFarAway(const Point3 &inFrame)
+{
+    return greatestCoordinate(inFrame) > farAway;
 }
 
 } // namespace neuralmesh

@@ -20,6 +20,9 @@ public:
 
     Point3 toFrame(const Point3 &point) const;
 
+    /// Whether a place in the frame is so far off that distances there are not true.
+    static bool isFarAway(const Point3 &inFrame);
+
     /// Its unit of length.
     Scalar unit() const { return unit_; }
 

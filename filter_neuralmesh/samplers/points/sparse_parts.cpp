@@ -16,8 +16,9 @@ constexpr int directions = 8;
 /// same of a wire. Eight directions at random have 0.4 in the median, on a sphere of 400 points
 /// 0.02.
 constexpr double mostFlatness = 0.1;
-/// Others of its part are no further from a point than so many times its spacing.
-constexpr double reachInSpacings = 2.5;
+/// A neighbour is at the spacing of a point where its own is not smaller by more than this factor;
+/// and others of a part are no further from a point than so many times its spacing.
+constexpr double mostSpacingRatio = 2.5;
 /// Points have one spacing up to this factor: the standard deviation of that of random points on a
 /// surface is 18 %.
 constexpr double likeSpacing = 1.5;
@@ -37,6 +38,16 @@ bool hasSurroundings(const std::vector<Point3> &points, std::size_t index,
            variances[1] <= mostFlatness * variances[2];
 }
 
+/// Whether at least two neighbours are no closer to theirs than this point is to its own: what
+/// looks at others from outside has none, and sees them in one direction, as in a line.
+bool isAtSpacingOf(const std::vector<std::size_t> &neighbours, std::size_t index,
+                   const std::vector<double> &distances)
+{
+    return std::count_if(neighbours.begin(), neighbours.end(), [&](std::size_t other) {
+               return distances[index] <= mostSpacingRatio * distances[other];
+           }) >= 2;
+}
+
 using Neighbourhoods = std::vector<std::vector<std::size_t>>;
 
 /// By point: whether most of it and its neighbours are so.
@@ -53,13 +64,15 @@ std::vector<bool> majorities(const std::vector<bool> &are, const Neighbourhoods 
 
 /// By point: whether it lies in a sparser part. Chance makes strays look like one, which their
 /// neighbours outvote.
-std::vector<bool> inParts(const std::vector<Point3> &sparse, PointTree &tree)
+std::vector<bool> inParts(const std::vector<Point3> &sparse, PointTree &tree,
+                          const std::vector<double> &distances)
 {
     Neighbourhoods neighbours;
     std::vector<bool> are;
     for (std::size_t i = 0; i < sparse.size(); ++i) {
         neighbours.push_back(tree.neighbours(i, directions));
-        are.push_back(hasSurroundings(sparse, i, neighbours[i]));
+        are.push_back(isAtSpacingOf(neighbours[i], i, distances) &&
+                      hasSurroundings(sparse, i, neighbours[i]));
     }
     return majorities(are, neighbours);
 }
@@ -94,10 +107,11 @@ std::vector<double> reachesInSparseParts(const std::vector<Point3> &sparse)
         return reaches;
     PointTree tree(sparse);
     const std::vector<double> distances = tree.distances(directions);
-    const std::vector<bool> areInParts = withSpacingOfParts(inParts(sparse, tree), distances);
+    const std::vector<bool> areInParts =
+        withSpacingOfParts(inParts(sparse, tree, distances), distances);
     for (std::size_t i = 0; i < sparse.size(); ++i)
         if (areInParts[i])
-            reaches[i] = reachInSpacings * distances[i];
+            reaches[i] = mostSpacingRatio * distances[i];
     return reaches;
 }
 

@@ -201,7 +201,7 @@ TEST(OutlierFilter, finds_few_strays_at_any_distance)
 {
     // As many at each order of distance: the neighbours of most lie in one direction, which by
     // their variance looks like a line, and a line like a sheet.
-    for (const int strays : {1, 2, 9, 20, 60, 500})
+    for (const int strays : {1, 2, 9, 20, 60, 100, 500})
         for (const double reach : {3.0, 1e2, 1e7, 1e30, 1e300}) {
             test::WorldPoints points = test::spherePoints(5000, 1);
             Random random(3);
@@ -214,6 +214,18 @@ TEST(OutlierFilter, finds_few_strays_at_any_distance)
             EXPECT_EQ(sampler.outliers().count, static_cast<std::uint64_t>(strays)) << reach;
             EXPECT_NEAR(sampler.frame().diagonal(), std::sqrt(12), 0.05);
         }
+}
+
+TEST(OutlierFilter, finds_strays_that_are_all_far_away)
+{
+    // Uniform in a cube: at these distances, nearly all are of one order.
+    for (const double reach : {1e5, 1e7, 1e12, 1e100}) {
+        test::WorldPoints points = test::spherePoints(5000, 1);
+        Random random(3);
+        while (points.size() < 5200)
+            points.push_back((test::inUnitCube(random) - Point3(.5, .5, .5)) * reach);
+        EXPECT_EQ(PointCloudSampler(points).outliers().count, 200U) << reach;
+    }
 }
 
 TEST(OutlierFilter, finds_strays_between_the_pilot_points)

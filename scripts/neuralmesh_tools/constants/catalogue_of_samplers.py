@@ -37,7 +37,7 @@ OF_SAMPLERS: dict[Key, Entry] = {
         [
             ("directions", "4", "16", "neighbours"),
             ("mostFlatness", "0.05", "0.2", "share of the variance"),
-            ("reachInSpacings", "1.25", "5", "distances"),
+            ("mostSpacingRatio", "1.25", "5", "distances"),
             ("likeSpacing", "1.25", "2", "spacings", "half and double of what is above 1"),
         ],
     ),

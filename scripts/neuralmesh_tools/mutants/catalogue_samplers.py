@@ -87,6 +87,22 @@ SAMPLERS: tuple[Mutant, ...] = (
         ("OutlierFilter.strays_in_a_plane_by_chance_are_no_part",),
     ),
     Mutant(
+        "lookers-on-belong",
+        "what looks at a part from outside is no part of it",
+        "samplers/points/sparse_parts.cpp",
+        "are.push_back(isAtSpacingOf(neighbours[i], i, distances) &&",
+        "are.push_back(distances[i] > 0 &&",
+        ("OutlierFilter.finds_few_strays_at_any_distance",),
+    ),
+    Mutant(
+        "far-strays-are-a-shell",
+        "strays of one order of distance, far away, are no surface",
+        "samplers/points/outlier_filter.cpp",
+        "&& !RobustFrame::isFarAway(pilot_[i])",
+        "",
+        ("OutlierFilter.finds_strays_that_are_all_far_away",),
+    ),
+    Mutant(
         "chance-outvotes",
         "neighbours have a say in what is a sparse part",
         "samplers/points/sparse_parts.cpp",
